@@ -1,0 +1,40 @@
+// Pre-frame processing (chapter II): a scene at one moment becomes a frame, with what shading will want to know.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "scanline/frame.h"
+#include "scanline/scene.h"
+
+namespace scanline {
+
+/// Where a polygon of the frame comes from. Index: polygon number - 1.
+struct PolygonOrigin {
+  std::uint32_t object = 0;     ///< index into Scene::objects
+  std::uint32_t polygon = 0;    ///< index into that object's mesh
+  glm::dvec3 normal{0};         ///< unit normal of the polygon in world space, front side
+};
+
+/// A named attribute at every vertex of the frame (after clipping); vertices of objects without it hold zeros.
+struct FrameAttribute {
+  std::string name;
+  int components = 3;
+  std::vector<double> values;
+};
+
+struct SceneFrame {
+  Frame frame;                             ///< of (width + 2) x (height + 1), see docs/formats.md, pictures
+  std::vector<PolygonOrigin> polygons;     ///< one a polygon of the frame
+  std::vector<glm::dvec3> world;           ///< world position of every vertex of the frame
+  std::vector<double> w;                   ///< clip-space w of every vertex: attributes are linear in 1/w on the screen
+  std::vector<FrameAttribute> attributes;
+  std::vector<Diagnostic> warnings;        ///< polygons that cross themselves or are not planar
+};
+
+/// Transforms, projects and clips against the six planes of the viewing box. `width` x `height` is the picture (after
+/// --size and --samples); `moment` is the frame number of the sequence.
+SceneFrame make_scene_frame(const Scene& scene, double moment, int width, int height);
+
+}  // namespace scanline
