@@ -1,5 +1,5 @@
-// A scene as its file tells it (TOML, docs/formats.md): camera, objects, lights, background, size. Units are the scene's
-// own, right-handed, y up; angles in degrees; colours linear 0 to 1 unless a shader says otherwise.
+// A scene as its file tells it (TOML, scenes/README.md): camera, objects, lights, background, size. Units are the
+// scene's own, right-handed, y up; angles in degrees; colours linear 0 to 1 unless a shader says otherwise.
 #pragma once
 
 #include <filesystem>
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "scanline/error.h"
+#include "scanline/mesh.h"
 
 namespace scanline {
 
@@ -46,18 +47,6 @@ struct Light {
   double intensity = 1;
 };
 
-/// Polygons with named attributes at their vertices, in object space, counter-clockwise in front.
-struct MeshAttribute {
-  std::string name;          ///< "normal", "uv", "color", or what a file calls it
-  int components = 3;        ///< 1 to 4
-  std::vector<double> values;  ///< components a vertex, vertex by vertex
-};
-struct Mesh {
-  std::vector<glm::dvec3> positions;
-  std::vector<MeshAttribute> attributes;
-  std::vector<std::vector<std::uint32_t>> polygons;  ///< indices from 0
-};
-
 struct Object {
   std::string name;
   Mesh mesh;
@@ -76,7 +65,10 @@ struct Scene {
   int first_frame = 1, last_frame = 1;  ///< of the sequence that the keys describe
 };
 
-/// Reads a scene file and the meshes that it names (paths relative to it). Throws UserError.
+/// Reads a scene file and the meshes that it names (paths relative to it). Throws UserError with every mistake found.
 Scene read_scene_file(const std::filesystem::path& path);
+
+/// The same from text; `path` is used in messages and to find meshes.
+Scene read_scene(const std::string& text, const std::filesystem::path& path);
 
 }  // namespace scanline
