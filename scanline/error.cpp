@@ -18,10 +18,13 @@ std::string join(const std::vector<Diagnostic>& diagnostics) {
 
 std::string format(const Diagnostic& d, const char* severity) {
   std::string text = d.file;
-  if (d.line > 0) text += (text.empty() ? "" : ":") + std::to_string(d.line);
-  if (d.line > 0 && d.column > 0) text += ":" + std::to_string(d.column);
-  if (!text.empty()) text += ": ";
-  return text + severity + ": " + d.message;
+  if (d.line > 0) {
+    if (!text.empty()) text.push_back(':');
+    text.append(std::to_string(d.line));
+    if (d.column > 0) text.append(":").append(std::to_string(d.column));
+  }
+  if (!text.empty()) text.append(": ");
+  return text.append(severity).append(": ").append(d.message);
 }
 
 UserError::UserError(Diagnostic diagnostic) : UserError(std::vector<Diagnostic>{std::move(diagnostic)}) {}

@@ -18,11 +18,11 @@ constexpr std::string_view kBlockWritten[] = {"block",   "mask",    "x_previous"
 constexpr std::string_view kDepthTest[] = {"segment",   "from_x_sort", "intersecting", "outcome",  "add_cycles", "box_segments",
                                            "box_z_min", "box_z_max",   "box_left",     "box_right", "box_edge",  "span_left",
                                            "span_right"};
-// references: segment references (as the 1970 program counts) since the decision before, lists and edges included.
+// references: segment references of the frame so far, as the 1970 program counts them.
 constexpr std::string_view kDecision[] = {"decision", "span_left", "span_right", "box_segments", "new_right", "references"};
 // side: 0 the left edge of the block, 1 the right one. x: pixel of the edge on the next line.
 constexpr std::string_view kSampleStored[] = {"block", "side", "x"};
-constexpr std::string_view kOutputSegment[] = {"x_end", "polygon", "merged"};
+constexpr std::string_view kOutputSegment[] = {"x_end", "polygon"};
 constexpr std::string_view kLineDone[] = {"references", "segments"};
 
 }  // namespace
