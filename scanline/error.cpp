@@ -21,7 +21,10 @@ std::string format(const Diagnostic& d, const char* severity) {
   if (d.line > 0) {
     if (!text.empty()) text.push_back(':');
     text.append(std::to_string(d.line));
-    if (d.column > 0) text.append(":").append(std::to_string(d.column));
+    if (d.column > 0) {
+      text.push_back(':');
+      text.append(std::to_string(d.column));
+    }
   }
   if (!text.empty()) text.append(": ");
   return text.append(severity).append(": ").append(d.message);

@@ -1,6 +1,6 @@
 #include "cmodel/vsg/tally.h"
 
-#include <cmath>
+#include <charconv>
 
 namespace vsg {
 namespace {
@@ -11,7 +11,13 @@ constexpr double kFramesPerSecond = 30;
 enum Column { kTotal = 1, kMostOfLine, kAverage, kPreFrame, kMostPreparing, kNanoseconds, kMostSorting, kAverageInvolved,
               kPreparing, kSorting };
 
-double rounded(double value) { return std::round(value * 1e4) / 1e4; }
+/// To four decimals as they are printed: the exact binary value decides, a tie goes to the even digit.
+double rounded(double value) {
+  char text[64];
+  const char* end = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, 4).ptr;
+  std::from_chars(text, end, value);
+  return value;
+}
 
 double ratio(std::int64_t a, std::int64_t b, double scale = 1) {
   return b == 0 ? 0 : rounded(scale * static_cast<double>(a) / static_cast<double>(b));

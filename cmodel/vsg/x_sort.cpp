@@ -8,6 +8,25 @@ void XSort::start_line() {
   next_first_ = next_last_ = 0;
 }
 
+void XSort::link(SegmentPointer p, SegmentBlock& block, SegmentPointer before, SegmentPointer after,
+                 SegmentPointer& first, SegmentPointer& last) {
+  block.x_previous = before;
+  block.x_next = after;
+  SegmentBlock neighbour;
+  if (before != 0) {
+    neighbour.x_next = p;
+    w_.memory.write(before, kGroupXNext, neighbour, w_.line);
+  } else {
+    first = p;
+  }
+  if (after != 0) {
+    neighbour.x_previous = p;
+    w_.memory.write(after, kGroupXPrevious, neighbour, w_.line);
+  } else {
+    last = p;
+  }
+}
+
 void XSort::insert(SegmentPointer p, SegmentBlock& block, SegmentPointer start) {
   const std::int64_t pixel = w_.next_pixel(block.left);
   SegmentPointer before = start, after = first_;
@@ -22,21 +41,7 @@ void XSort::insert(SegmentPointer p, SegmentBlock& block, SegmentPointer start) 
     after = candidate.x_next;
   }
   ++w_.tally.q[q::kSegmentWrites];
-  block.x_previous = before;
-  block.x_next = after;
-  SegmentBlock link;
-  if (before != 0) {
-    link.x_next = p;
-    w_.memory.write(before, kGroupXNext, link, w_.line);
-  } else {
-    first_ = p;
-  }
-  if (after != 0) {
-    link.x_previous = p;
-    w_.memory.write(after, kGroupXPrevious, link, w_.line);
-  } else {
-    last_ = p;
-  }
+  link(p, block, before, after, first_, last_);
 }
 
 void XSort::unlink(SegmentPointer p, const SegmentBlock& block) {
@@ -76,22 +81,8 @@ void XSort::insert_next_line(SegmentPointer p, SegmentBlock& block, std::int64_t
   }
   ++w_.tally.q[q::kSegmentWrites];
   if (after != 0) ++w_.tally.q[q::kSegmentWrites];
-  block.x_previous = before;
-  block.x_next = after;
-  SegmentBlock link;
-  if (after != 0) {
-    link.x_previous = p;
-    w_.memory.write(after, kGroupXPrevious, link, w_.line);
-  } else {
-    next_last_ = p;
-    next_last_pixel_ = pixel;
-  }
-  if (before != 0) {
-    link.x_next = p;
-    w_.memory.write(before, kGroupXNext, link, w_.line);
-  } else {
-    next_first_ = p;
-  }
+  if (after == 0) next_last_pixel_ = pixel;
+  link(p, block, before, after, next_first_, next_last_);
 }
 
 }  // namespace vsg

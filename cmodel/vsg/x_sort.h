@@ -34,6 +34,10 @@ class XSort {
   void insert_next_line(SegmentPointer p, SegmentBlock& block, std::int64_t pixel);
 
  private:
+  /// Puts `p` between two neighbours of a list, 0 for none.
+  void link(SegmentPointer p, SegmentBlock& block, SegmentPointer before, SegmentPointer after, SegmentPointer& first,
+            SegmentPointer& last);
+
   Wiring& w_;
   SegmentPointer first_ = 0, last_ = 0;
   SegmentPointer next_first_ = 0, next_last_ = 0;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -18,7 +19,11 @@ struct VectorFile {
   bool keep_back_faces = false;
 };
 
-inline std::filesystem::path vector_folder() { return std::filesystem::path(VSG_SOURCE_DIR) / "tests" / "vectors"; }
+/// tests/vectors, or the folder that VSG_VECTORS names: any frames with answers of the 1970 program can be compared.
+inline std::filesystem::path vector_folder() {
+  if (const char* folder = std::getenv("VSG_VECTORS")) return folder;
+  return std::filesystem::path(VSG_SOURCE_DIR) / "tests" / "vectors";
+}
 
 inline nlohmann::json read_json(const std::filesystem::path& path) {
   std::ifstream in(path);
