@@ -51,6 +51,9 @@ class MeshBuilder {
 
   std::uint32_t vertex(const glm::dvec3& position);
 
+  /// From here on vertices are no longer joined to earlier ones: a new solid begins.
+  void begin_part() { index_.clear(); }
+
   /// `corners`: all attributes of the first vertex, then of the second...; empty when the mesh has none.
   void polygon(std::span<const std::uint32_t> vertices, std::span<const double> corners = {});
 
