@@ -1,0 +1,14 @@
+// The commands of the program, one file each. Every add_ function registers a subcommand with its options; the work
+// is done when CLI11 has read the whole command line.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace program {
+
+void add_render(CLI::App& app);
+void add_frame(CLI::App& app);
+void add_segments(CLI::App& app);
+void add_explain(CLI::App& app);
+
+}  // namespace program

@@ -1,0 +1,53 @@
+// vsg: an executable model of Watkins's Visible Segment Generator. Parse, call, report.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "cmodel/vsg/answer.h"
+#include "program/commands.h"
+#include "program/output_file.h"
+#include "scanline/error.h"
+
+namespace {
+
+enum ExitStatus { kSuccess = 0, kUserMistake = 1, kLockstepMismatch = 2 };
+
+int report(const char* text, ExitStatus status) {
+  std::fprintf(stderr, "error: %s\n", text);
+  return status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"vsg: Gary Watkins's Visible Segment Generator (Utah 1970), from a scene to a picture", "vsg"};
+  app.require_subcommand(1);
+  app.set_help_flag("-h,--help", "This text");
+  app.set_version_flag("--version", VSG_VERSION);
+  app.footer("vsg COMMAND --help tells the options of a command.\n"
+             "Exit status: 0 success, 1 a mistake in what was given, 2 golden model and RTL disagree.");
+  program::add_render(app);
+  program::add_frame(app);
+  program::add_segments(app);
+  program::add_explain(app);
+
+  program::remove_partial_files_on_signals();
+  try {
+    app.parse(argc, argv);
+    return kSuccess;
+  } catch (const CLI::Success& request) {  // --help, --version
+    return app.exit(request);
+  } catch (const CLI::ParseError& mistake) {
+    return report(mistake.what(), kUserMistake);
+  } catch (const scanline::UserError& mistake) {  // its text says "error:" behind each file and line
+    std::fprintf(stderr, "%s\n", mistake.what());
+    return kUserMistake;
+  } catch (const vsg::LockstepError& mismatch) {
+    return report(mismatch.what(), kLockstepMismatch);
+  } catch (const std::bad_alloc&) {
+    return report("out of memory", kUserMistake);
+  } catch (const std::exception& failure) {
+    return report(failure.what(), kUserMistake);
+  }
+}

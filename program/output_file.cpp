@@ -1,0 +1,123 @@
+#include "program/output_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <utility>
+
+#include "program/refuse.h"
+
+namespace program {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Names of unfinished files. A signal handler may only unlink: so they are plain strings in a fixed table.
+constexpr int kSlots = 1024;
+std::array<std::atomic<const char*>, kSlots> g_partial_files{};
+
+int remember(const fs::path& path) {
+  char* name = ::strdup(path.c_str());
+  for (int i = 0; i < kSlots; ++i) {
+    const char* free = nullptr;
+    if (g_partial_files[i].compare_exchange_strong(free, name)) return i;
+  }
+  std::free(name);
+  return -1;  // more files at once than slots: this one is left behind by a signal
+}
+
+void forget(int slot) {
+  // The string is not freed: a signal handler might be reading it.
+  if (slot >= 0) g_partial_files[slot].store(nullptr);
+}
+
+extern "C" void remove_partial_files(int signal) {
+  for (auto& name : g_partial_files) {
+    if (const char* path = name.load()) ::unlink(path);
+  }
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+}  // namespace
+
+OutputFile::OutputFile(fs::path place) : place_(std::move(place)) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(place_, ignored);
+  if (place_.empty() || !place_.has_filename() || fs::is_directory(status)) fail("is a folder, not a file");
+  // A device or a pipe cannot be renamed over; it gets a copy when the file is complete.
+  const bool replaceable = !fs::exists(status) || fs::is_regular_file(status);
+  const fs::path folder = !replaceable ? fs::temp_directory_path() : place_.parent_path();
+  // The number makes the name unique: several runs may write the same place.
+  for (int attempt = 0; attempt < 1000; ++attempt) {
+    partial_ = folder / fmt::format(".{}.partial-{}-{}{}", place_.stem().string(), ::getpid(), attempt,
+                                    place_.extension().string());
+    const int file = ::open(partial_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+    if (file >= 0) {
+      ::close(file);
+      slot_ = remember(partial_);
+      return;
+    }
+    if (errno != EEXIST) break;
+  }
+  fail(std::strerror(errno));
+}
+
+OutputFile::~OutputFile() {
+  if (!committed_) ::unlink(partial_.c_str());
+  forget(slot_);
+}
+
+void OutputFile::fail(const std::string& why) const {
+  refuse("cannot write: " + why, place_.string());
+}
+
+void OutputFile::write(std::string_view content) {
+  std::ofstream out(partial_, std::ios::binary | std::ios::trunc);
+  out.write(content.data(), static_cast<std::streamsize>(content.size()));
+  out.close();
+  if (!out) fail(std::strerror(errno));
+}
+
+void OutputFile::commit() {
+  std::error_code error;
+  const fs::file_status status = fs::status(place_, error);
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    std::ifstream in(partial_, std::ios::binary);
+    std::ofstream out(place_, std::ios::binary);
+    // An empty file has nothing to copy, which the stream would call a failure.
+    if (in.peek() != std::ifstream::traits_type::eof()) out << in.rdbuf();
+    out.close();
+    if (!out) fail(std::strerror(errno));
+    return;  // the destructor removes the copy's source
+  }
+  fs::rename(partial_, place_, error);
+  if (error) fail(error.message());
+  committed_ = true;
+}
+
+void write_standard_output(std::string_view content) {
+  std::fwrite(content.data(), 1, content.size(), stdout);
+  if (std::fflush(stdout) != 0 || std::ferror(stdout)) {
+    refuse(std::string("cannot write: ") + std::strerror(errno), "standard output");
+  }
+}
+
+void remove_partial_files_on_signals() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    // A signal that the caller ignores (nohup) stays ignored.
+    if (std::signal(signal, remove_partial_files) == SIG_IGN) std::signal(signal, SIG_IGN);
+  }
+}
+
+}  // namespace program

@@ -1,0 +1,61 @@
+#include "program/scene_options.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <regex>
+
+#include "program/refuse.h"
+
+namespace program {
+namespace {
+
+// A picture of w x h needs a frame of (w + 2) x (h + 1).
+constexpr int kMostWidth = (1 << vsg::kCoordinateBits) - 1 - 2, kMostHeight = (1 << vsg::kCoordinateBits) - 1 - 1;
+
+}  // namespace
+
+void add_scene_options(CLI::App& command, SceneOptions& options) {
+  command.add_option("SCENE", options.file, "Scene file (TOML)")->required();
+  command.add_option("--size", options.size, "Width and height of the picture [the scene's]")->type_name("WxH")->group("Scene");
+  command.add_flag("--quiet", options.quiet, "No progress bar and no warnings")->group("Reports");
+}
+
+scanline::Scene read_scene(const SceneOptions& options) {
+  int width = 0, height = 0;
+  if (!options.size.empty()) {
+    static const std::regex kSize("([0-9]{1,6})[xX]([0-9]{1,6})");
+    std::smatch match;
+    if (!std::regex_match(options.size, match, kSize)) {
+      refuse("--size wants WxH, such as 640x480, not '" + options.size + "'");
+    }
+    width = std::stoi(match[1]);
+    height = std::stoi(match[2]);
+    check_picture_size(width, height);
+  }
+  scanline::Scene scene = scanline::read_scene_file(options.file);
+  if (width > 0) {
+    scene.width = width;
+    scene.height = height;
+  }
+  check_picture_size(scene.width, scene.height);
+  return scene;
+}
+
+void check_picture_size(std::int64_t width, std::int64_t height) {
+  if (width < 1 || height < 1 || width > kMostWidth || height > kMostHeight) {
+    refuse(fmt::format("a picture is 1 to {} pixels wide and 1 to {} high, samples included; this one would be {} x {}",
+                       kMostWidth, kMostHeight, width, height));
+  }
+}
+
+void WarningPrinter::print(const std::vector<scanline::Diagnostic>& warnings) {
+  if (quiet_) return;
+  const std::lock_guard lock(mutex_);
+  for (const scanline::Diagnostic& warning : warnings) {
+    const std::string text = scanline::format(warning, "warning");
+    if (printed_.insert(text).second) std::fprintf(stderr, "%s\n", text.c_str());
+  }
+}
+
+}  // namespace program
