@@ -14,7 +14,7 @@ Weights weights(int k, int n) {
   return {s * s * s, 3 * (s * s * t), 3 * (t * t * s), t * t * t};
 }
 
-/// Their derivatives; at the ends of a side on which control points coincide, those a little inside.
+/// Derivatives and values at any place: good enough for normals.
 Weights slopes(double t) {
   const double s = 1 - t;
   return {-3 * s * s, 3 * s * s - 6 * s * t, 6 * s * t - 3 * t * t, 3 * t * t};
@@ -30,19 +30,27 @@ glm::dvec3 blend(const Weights& w, const glm::dvec3& a, const glm::dvec3& b, con
   return (w[0] * a + w[3] * d) + (w[1] * b + w[2] * c);
 }
 
+/// The weights of a point add up to one only nearly: a side that has shrunk to a point must stay one point.
+glm::dvec3 blend_point(const Weights& w, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
+                       const glm::dvec3& d) {
+  return a == b && a == c && a == d ? a : blend(w, a, b, c, d);
+}
+
 using ControlPoints = std::array<glm::dvec3, 16>;
 
-glm::dvec3 surface(const ControlPoints& p, const Weights& across, const Weights& up) {
+template <auto Blend>
+glm::dvec3 evaluate(const ControlPoints& p, const Weights& across, const Weights& up) {
   glm::dvec3 row[4];
-  for (std::size_t r = 0; r < 4; ++r) row[r] = blend(across, p[4 * r], p[4 * r + 1], p[4 * r + 2], p[4 * r + 3]);
-  return blend(up, row[0], row[1], row[2], row[3]);
+  for (std::size_t r = 0; r < 4; ++r) row[r] = Blend(across, p[4 * r], p[4 * r + 1], p[4 * r + 2], p[4 * r + 3]);
+  return Blend(up, row[0], row[1], row[2], row[3]);
 }
 
 glm::dvec3 normal_at(const ControlPoints& p, double u, double v) {
   // At a pole one derivative vanishes; the normal close by stands for the limit.
   for (const double inwards : {0.0, 1e-4, 1e-2}) {
     const double a = u + (0.5 - u) * inwards, b = v + (0.5 - v) * inwards;
-    const glm::dvec3 du = surface(p, slopes(a), weights_at(b)), dv = surface(p, weights_at(a), slopes(b));
+    const glm::dvec3 du = evaluate<blend>(p, slopes(a), weights_at(b)),
+                     dv = evaluate<blend>(p, weights_at(a), slopes(b));
     const glm::dvec3 normal = glm::cross(du, dv);
     const double length = glm::length(normal);
     if (length > 1e-9 * (glm::dot(du, du) + glm::dot(dv, dv))) return normal / length;
@@ -92,7 +100,7 @@ Mesh tessellate(const PatchSet& set, int level) {
     for (int j = 0; j <= level; ++j) {
       for (int i = 0; i <= level; ++i) {
         const double u = static_cast<double>(i) / level, v = static_cast<double>(j) / level;
-        positions.push_back(surface(p, grid[i], grid[j]));
+        positions.push_back(evaluate<blend_point>(p, grid[i], grid[j]));
         vertices.push_back(mesh.vertex(positions.back()));
         const glm::dvec3 normal = normal_at(p, u, v);
         values.push_back({normal.x, normal.y, normal.z, u, v});

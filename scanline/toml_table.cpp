@@ -12,7 +12,11 @@ std::string shown(double value) {
   return text.str();
 }
 
-std::string quoted(std::string_view key) { return "'" + std::string(key) + "'"; }
+std::string quoted(std::string_view key) {
+  std::string text(1, '\'');
+  text.append(key).push_back('\'');
+  return text;
+}
 
 }  // namespace
 
