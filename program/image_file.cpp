@@ -23,7 +23,8 @@ bool is_exr(const fs::path& path) {
   return suffix == ".exr";
 }
 
-void save(const fs::path& path, const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* pixels) {
+void save(const fs::path& path, OIIO::ImageSpec spec, OIIO::TypeDesc type, const void* pixels) {
+  spec.attribute("DateTime", "");  // otherwise some formats write the time of day, and no two files are the same
   const auto out = OIIO::ImageOutput::create(path.string());
   if (!out) fail(path, "cannot write: " + OIIO::geterror());
   if (!out->open(path.string(), spec) || !out->write_image(type, pixels) || !out->close()) {

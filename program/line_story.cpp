@@ -27,6 +27,7 @@ constexpr std::string_view kTerms =
   depth test    the new segment against what is in front so far; both are clipped to what they have in common
                 by halving, an add cycle for each step, until the order at both ends is known
   visible box   two or more segments of which none is known to hide the others, with their extent in X and Z
+  implied edge  where two segments cross; on the next line it is a sample point like any visible edge
 )";
 
 template <typename... Arguments>
@@ -103,14 +104,13 @@ void LineStory::tell_edge(const Event& event) {
 }
 
 void LineStory::tell_block(const Event& event, bool implied) {
-  ++blocks_.count;
   const std::int64_t number = field(event, "block");
   if (implied) {
-    print(blocks_.lines, "  Block {} becomes an implied edge: the crossing of segments {} and {}.\n", number,
-          field(event, "polygon"), field(event, "polygon_next"));
-  } else {
-    print(blocks_.lines, "  Block {} becomes a segment of polygon {}.\n", number, field(event, "polygon"));
+    print(spans_.lines, "    Block {} is taken from the free list: it becomes an implied edge.\n", number);
+    return;
   }
+  ++blocks_.count;
+  print(blocks_.lines, "  Block {} becomes a segment of polygon {}.\n", number, field(event, "polygon"));
 }
 
 void LineStory::tell_test(const Event& event) {
@@ -144,7 +144,7 @@ void LineStory::tell_decision(const Event& event) {
   const std::int64_t new_right = field(event, "new_right");
   ++spans_.count;
   print(spans_.lines, "  Span of {}\n{}", pixels(left, right), std::exchange(tests_, {}));
-  crossing_told_ = true;
+  crossing_from_ = kNoCrossing;
   switch (static_cast<DecisionKind>(field(event, "decision"))) {
     case DecisionKind::kBackground: print(spans_.lines, "    Decision: nothing is here, background.\n"); break;
     case DecisionKind::kVisible: print(spans_.lines, "    Decision: one segment is in front, it is visible.\n"); break;
@@ -161,7 +161,7 @@ void LineStory::tell_decision(const Event& event) {
             field(event, "box_segments"), pixels(left, new_right));
       break;
     case DecisionKind::kIntersection:
-      crossing_told_ = false;
+      crossing_from_ = left;
       print(spans_.lines, "    Decision: two segments are left and no edge of theirs lies inside: they cross.\n");
       break;
   }
@@ -181,6 +181,11 @@ void LineStory::tell_sample(const Event& event) {
 
 void LineStory::tell_output(const Event& event) {
   const std::int64_t end = field(event, "x_end"), polygon = field(event, "polygon");
+  // The segment in front on the left ends where the two cross; what comes out before it belongs to the span before.
+  if (end >= crossing_from_) {
+    print(spans_.lines, "    They cross at pixel {}: up to there polygon {} is visible.\n", end, polygon);
+    crossing_from_ = kNoCrossing;
+  }
   ++output_.count;
   print(output_.lines, "  {:>5} to {:>5}  {}\n", output_from_, end, polygon_name(polygon));
   output_from_ = end + 1;

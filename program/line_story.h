@@ -1,6 +1,7 @@
 // The story of one scan line, told from the processor's events for somebody who learns how it works.
 #pragma once
 
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -47,7 +48,8 @@ class LineStory {
   Chapter edges_, blocks_, spans_, samples_, output_;
   std::string tests_;                                  // of the span that is being sorted
   std::int64_t tests_count_ = 0, add_cycles_ = 0, references_ = 0, output_from_ = 1;
-  bool crossing_told_ = true;
+  static constexpr std::int64_t kNoCrossing = std::numeric_limits<std::int64_t>::max();
+  std::int64_t crossing_from_ = kNoCrossing;  // left end of the span whose crossing is still to be told
 };
 
 }  // namespace program

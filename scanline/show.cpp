@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 #include "scanline/spans.h"
 
@@ -35,6 +36,7 @@ const std::size_t kDecisionKind = vsg::event_field(EventKind::kDecision, "decisi
 const std::size_t kDecisionLeft = vsg::event_field(EventKind::kDecision, "span_left");
 const std::size_t kDecisionRight = vsg::event_field(EventKind::kDecision, "span_right");
 const std::size_t kDecisionNewRight = vsg::event_field(EventKind::kDecision, "new_right");
+const std::size_t kOutputEnd = vsg::event_field(EventKind::kOutputSegment, "x_end");
 const std::size_t kDecisionReferences = vsg::event_field(EventKind::kDecision, "references");
 
 Rgb8 darker(Rgb8 c, int divisor) {
@@ -106,13 +108,21 @@ void WorkRecorder::record(const vsg::Event& event) {
     add(event.line, event.fields[kTestLeft], event.fields[kTestRight], 1);
   } else if (event.kind == EventKind::kDecision) {
     record_decision(event);
+  } else if (event.kind == EventKind::kOutputSegment && event.fields[kOutputEnd] >= crossing_from_) {
+    // The segment in front on the left ends where the two cross.
+    mark(event.line, event.fields[kOutputEnd], SamplePoint::kIntersection);
+    crossing_from_ = kNothing;
   }
 }
 
 void WorkRecorder::record_decision(const vsg::Event& event) {
   const std::int64_t left = event.fields[kDecisionLeft], right = event.fields[kDecisionRight];
-  if (show_ == Show::kReferences) add(event.line, left, right, event.fields[kDecisionReferences]);
+  if (show_ == Show::kReferences) {
+    const std::int64_t references = event.fields[kDecisionReferences];
+    add(event.line, left, right, references - std::exchange(references_, references));
+  }
   if (show_ != Show::kSamples) return;
+  crossing_from_ = kNothing;
   switch (static_cast<DecisionKind>(event.fields[kDecisionKind])) {
     case DecisionKind::kBackground:
     case DecisionKind::kVisible: mark(event.line, right, SamplePoint::kSpanEnd); break;
@@ -122,7 +132,7 @@ void WorkRecorder::record_decision(const vsg::Event& event) {
       break;
     case DecisionKind::kIntersection:
       mark(event.line, right, SamplePoint::kSpanEnd);
-      mark(event.line, event.fields[kDecisionNewRight], SamplePoint::kIntersection);
+      crossing_from_ = left;
       break;
   }
 }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -18,7 +19,8 @@ enum class Show {
   kSegments,    ///< every polygon in a colour of its own, the last pixel of every output segment darker
   kSamples,     ///< figure 8: the ends of the spans over a dim picture, coloured by what was decided there
   kTests,       ///< depth tests that took in a pixel
-  kReferences,  ///< segment references of the spans that took in a pixel
+  kReferences,  ///< segment references made for the spans that took in a pixel; the first span of a line bears
+                ///< those of making its segments
 };
 
 /// "segments", "samples", "tests", "references".
@@ -49,8 +51,12 @@ class WorkRecorder {
   void mark(int line, std::int64_t column, SamplePoint sample);
   void record_decision(const vsg::Event& event);
 
+  static constexpr std::int64_t kNothing = std::numeric_limits<std::int64_t>::max();
+
   const Show show_;
   const int width_, height_;
+  std::int64_t references_ = 0;            // of the frame, up to the decision before
+  std::int64_t crossing_from_ = kNothing;  // left end of a span whose crossing has not come out yet
   std::vector<std::uint32_t> counts_;
   std::vector<SamplePoint> samples_;
 };
