@@ -10,5 +10,6 @@ void add_render(CLI::App& app);
 void add_frame(CLI::App& app);
 void add_segments(CLI::App& app);
 void add_explain(CLI::App& app);
+void add_tables(CLI::App& app);
 
 }  // namespace program

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
 
 #include "cmodel/vsg/answer.h"
 #include "program/commands.h"
@@ -31,6 +32,7 @@ int main(int argc, char** argv) {
   program::add_frame(app);
   program::add_segments(app);
   program::add_explain(app);
+  program::add_tables(app);
 
   program::remove_partial_files_on_signals();
   try {
@@ -39,7 +41,10 @@ int main(int argc, char** argv) {
   } catch (const CLI::Success& request) {  // --help, --version
     return app.exit(request);
   } catch (const CLI::ParseError& mistake) {
-    return report(mistake.what(), kUserMistake);
+    // CLI11 misses the command before it looks at the word that should have been one.
+    const bool unknown = app.get_subcommands().empty() && argc > 1 && argv[1][0] != '-';
+    const std::string text = unknown ? "unknown command '" + std::string(argv[1]) + "'" : mistake.what();
+    return report((text + " (see vsg --help)").c_str(), kUserMistake);
   } catch (const scanline::UserError& mistake) {  // its text says "error:" behind each file and line
     std::fprintf(stderr, "%s\n", mistake.what());
     return kUserMistake;

@@ -37,10 +37,13 @@ class Mesh:
         self.points, self.faces = [], []
 
     def add(self, points, faces):
-        """Appends a part; `faces` count from the part's own first point."""
+        """Appends a part; `faces` count from the part's own first point.
+
+        A face's last corner is written first. A frame lists a face clockwise from its first written corner on, so
+        that it then takes the corners of `faces` backwards: the order of edges that was measured."""
         base = len(self.points)
         self.points += points
-        self.faces += [[base + i for i in face] for face in faces]
+        self.faces += [[base + i for i in [face[-1], *face[:-1]]] for face in faces]
 
     def moved(self, move):
         self.points = [move(p) for p in self.points]
@@ -62,9 +65,9 @@ class Mesh:
 
 
 # Corner i of a box lies right when bit 2 is set, up when bit 1 is, far from the viewer when bit 0 is. Faces: front,
-# back, left, right, bottom, top. The front face begins at its upper left corner, whichever way a reader turns it
-# round: then its left edge enters before its right one, and one segment block serves each face of cube1.
-BOX_FACES = [(2, 0, 4, 6), (1, 3, 7, 5), (0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3)]
+# back, left, right, bottom, top. In a frame the front face runs from its upper left corner on: then its left edge
+# enters before its right one, and one segment block serves each face of cube1.
+BOX_FACES = [(0, 4, 6, 2), (1, 3, 7, 5), (0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3)]
 
 
 def box(centre, half):

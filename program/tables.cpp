@@ -1,0 +1,97 @@
+#include "program/tables.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <memory>
+
+#include "program/commands.h"
+#include "program/generator_options.h"
+#include "program/refuse.h"
+#include "scanline/scene_frame.h"
+
+namespace program {
+
+std::filesystem::path data_folder(const std::string& chosen) {
+  const char* from_environment = std::getenv("VSG_DATA");
+  std::filesystem::path folder = !chosen.empty() ? chosen : from_environment ? from_environment : VSG_DATA_DIR;
+  if (!std::filesystem::is_directory(folder / "tables") || !std::filesystem::is_directory(folder / "scenes")) {
+    refuse("no folders 'tables' and 'scenes' here: name the project's folder with --data or VSG_DATA", folder.string());
+  }
+  return folder;
+}
+
+const std::vector<std::string>& ten_objects() {
+  static const std::vector<std::string> names{"penetration", "e_s",    "low_area", "cube1",   "cube2",
+                                              "shape1",      "shape2", "sheet",    "simple1", "simple2"};
+  return names;
+}
+
+scanline::Frame SceneMeter::frame_of(const std::string& scene) const {
+  const scanline::Scene read = scanline::read_scene_file(data_ / "scenes" / (scene + ".toml"));
+  return scanline::make_scene_frame(read, read.first_frame, read.width, read.height).frame;
+}
+
+vsg::FrameAnswer SceneMeter::work(const scanline::Frame& frame, const std::string& scene) {
+  return generate(generator_, frame, (data_ / "scenes" / (scene + ".toml")).string(), false);
+}
+
+vsg::FrameAnswer SceneMeter::measure(const std::string& scene) { return work(frame_of(scene), scene); }
+
+vsg::FrameAnswer SceneMeter::measure_part(const std::string& scene, std::size_t polygons) {
+  scanline::Frame frame = frame_of(scene);
+  if (polygons < frame.polygons.size()) frame.polygons.resize(polygons);
+  return work(frame, scene);
+}
+
+nlohmann::json read_table_file(const std::filesystem::path& path) {
+  std::ifstream in(path);
+  if (!in) refuse("cannot read this file", path.string());
+  try {
+    return nlohmann::json::parse(in);
+  } catch (const nlohmann::json::exception& mistake) {
+    refuse(mistake.what(), path.string());
+  }
+}
+
+void run_tables(const std::string& name, bool json, SceneMeter& meter) {
+  const Table table = name == "fig33" ? figure33(meter) : name == "fig32" ? figure32(meter) : claims(meter);
+  const std::string text = json              ? table_json(table).dump(1) + "\n"
+                           : name == "fig33" ? figure33_text(table)
+                                             : table_text(table);
+  std::fputs(text.c_str(), stdout);
+}
+
+namespace {
+
+struct TablesOptions {
+  std::string name, data;
+  bool json = false;
+  GeneratorOptions generator;
+};
+
+}  // namespace
+
+void add_tables(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("tables", "Published figures beside measured ones, row by row");
+  const auto options = std::make_shared<TablesOptions>();
+  command->add_option("name", options->name, "fig32, fig33: figures of the thesis; claims: statements of its text")
+      ->required()
+      ->check(CLI::IsMember({"fig32", "fig33", "claims"}))
+      ->type_name("fig32|fig33|claims");
+  command->add_flag("--json", options->json, "JSON instead of a table for people")->group("Output");
+  command
+      ->add_option("--data", options->data,
+                   "The folder that holds scenes/ and tables/ (default: $VSG_DATA, else the sources)")
+      ->type_name("FOLDER")
+      ->group("Input");
+  add_generator_options(*command, options->generator, "rtl");
+  command->callback([options] {
+    const auto generator = make_generator(options->generator, {});
+    SceneMeter meter(data_folder(options->data), *generator);
+    run_tables(options->name, options->json, meter);
+  });
+}
+
+}  // namespace program
