@@ -1,4 +1,6 @@
 // vsg frame: pre-frame processing alone, scene to frame file.
+#include "scanline/frame.h"
+
 #include <memory>
 #include <sstream>
 #include <string>
@@ -6,7 +8,6 @@
 #include "program/commands.h"
 #include "program/output_file.h"
 #include "program/scene_options.h"
-#include "scanline/frame.h"
 
 namespace program {
 namespace {
@@ -37,7 +38,10 @@ void add_frame(CLI::App& app) {
   command->group("Steps of the machine");
   const auto options = std::make_shared<FrameOptions>();
   add_scene_options(*command, options->scene);
-  command->add_option("-o,--output", options->output, "The frame file to write")->required()->type_name("FILE.frame")->group("Output");
+  command->add_option("-o,--output", options->output, "The frame file to write")
+      ->required()
+      ->type_name("FILE.frame")
+      ->group("Output");
   command->add_option("--frame", options->moment, "Moment of the sequence [the scene's first]")->group("Scene");
   command->callback([options, command] {
     options->has_moment = command->count("--frame") > 0;

@@ -56,7 +56,7 @@ void write_exr(const fs::path& path, const scanline::Picture& picture, const std
   const scanline::PictureChannels& c = *picture.channels;
   using OIIO::TypeDesc;
   spec.channelnames = {"R", "G", "B", "Z", "polygon", "shader", "normal.x", "normal.y", "normal.z"};
-  spec.channelformats = {TypeDesc::FLOAT,  TypeDesc::FLOAT,  TypeDesc::FLOAT, TypeDesc::FLOAT, TypeDesc::UINT32,
+  spec.channelformats = {TypeDesc::FLOAT,  TypeDesc::FLOAT, TypeDesc::FLOAT, TypeDesc::FLOAT, TypeDesc::UINT32,
                          TypeDesc::UINT32, TypeDesc::FLOAT, TypeDesc::FLOAT, TypeDesc::FLOAT};
   spec.nchannels = static_cast<int>(spec.channelnames.size());
   spec.z_channel = 3;

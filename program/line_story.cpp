@@ -27,7 +27,7 @@ constexpr std::string_view kTerms =
   depth test    the new segment against what is in front so far; both are clipped to what they have in common
                 by halving, an add cycle for each step, until the order at both ends is known
   visible box   two or more segments of which none is known to hide the others, with their extent in X and Z
-  implied edge  where two segments cross; on the next line it is a sample point like any visible edge
+  implied edge  where two segments cross; from the next line on it is a sample point like any visible edge
 )";
 
 template <typename... Arguments>
@@ -91,10 +91,14 @@ void LineStory::remember_block(const Event& event) {
   if (mask & vsg::kGroupPolygonNext) b.polygon_next = pointer("polygon_next");
   if (mask & vsg::kGroupLeftLines) b.left_lines = pointer("left_lines");
   if (mask & vsg::kGroupRightLines) b.right_lines = pointer("right_lines");
-  if (mask & vsg::kGroupLeft) b.left = {field(event, "left_x"), field(event, "left_dx"), field(event, "left_z"), field(event, "left_dz")};
-  if (mask & vsg::kGroupRight) b.right = {field(event, "right_x"), field(event, "right_dx"), field(event, "right_z"), field(event, "right_dz")};
+  if (mask & vsg::kGroupLeft)
+    b.left = {field(event, "left_x"), field(event, "left_dx"), field(event, "left_z"), field(event, "left_dz")};
+  if (mask & vsg::kGroupRight)
+    b.right = {field(event, "right_x"), field(event, "right_dx"), field(event, "right_z"), field(event, "right_dz")};
   if (mask & vsg::kGroupActive) b.implied = field(event, "implied") != 0;
-  if (event.line == line_ && (mask & vsg::kGroupPolygon) && created_[number]++ == 0) tell_block(event, b.implied);
+  if (event.line == line_ && (mask & vsg::kGroupPolygon) && taken_.insert({number, b.implied}).second) {
+    tell_block(event, b.implied);
+  }
 }
 
 void LineStory::tell_edge(const Event& event) {
@@ -106,7 +110,10 @@ void LineStory::tell_edge(const Event& event) {
 void LineStory::tell_block(const Event& event, bool implied) {
   const std::int64_t number = field(event, "block");
   if (implied) {
-    print(spans_.lines, "    Block {} is taken from the free list: it becomes an implied edge.\n", number);
+    print(spans_.lines,
+          "    Block {} is taken from the free list: it becomes an implied edge, whose slope is known\n    when the "
+          "crossing is found again on the next line.\n",
+          number);
     return;
   }
   ++blocks_.count;
@@ -172,11 +179,12 @@ void LineStory::tell_sample(const Event& event) {
   const std::int64_t block = field(event, "block");
   const auto found = memory_.find(block);
   const bool implied = found != memory_.end() && found->second.implied;
-  const std::string edge =
-      implied ? std::string("the implied edge")
-              : fmt::format("the {} edge of polygon {}", field(event, "side") == 0 ? "left" : "right",
-                            found != memory_.end() ? found->second.polygon : 0);
-  print(samples_.lines, "  Pixel {}: {} (block {}), visible on this line, will be here.\n", field(event, "x"), edge, block);
+  const std::string edge = implied
+                               ? std::string("the implied edge")
+                               : fmt::format("the {} edge of polygon {}", field(event, "side") == 0 ? "left" : "right",
+                                             found != memory_.end() ? found->second.polygon : 0);
+  print(samples_.lines, "  Pixel {}: {} (block {}), visible on this line, will be here.\n", field(event, "x"), edge,
+        block);
 }
 
 void LineStory::tell_output(const Event& event) {

@@ -3,7 +3,9 @@
 
 #include <limits>
 #include <map>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cmodel/vsg/blocks.h"
@@ -44,9 +46,10 @@ class LineStory {
   const int line_;
   const vsg::Parameters parameters_;
   std::map<std::int64_t, vsg::SegmentBlock> memory_;  // segment memory, as written so far
-  std::map<std::int64_t, int> created_;               // blocks taken on this line
+  // Blocks taken on this line; one may come back to the free list and be taken again as an implied edge.
+  std::set<std::pair<std::int64_t, bool>> taken_;
   Chapter edges_, blocks_, spans_, samples_, output_;
-  std::string tests_;                                  // of the span that is being sorted
+  std::string tests_;  // of the span that is being sorted
   std::int64_t tests_count_ = 0, add_cycles_ = 0, references_ = 0, output_from_ = 1;
   static constexpr std::int64_t kNoCrossing = std::numeric_limits<std::int64_t>::max();
   std::int64_t crossing_from_ = kNoCrossing;  // left end of the span whose crossing is still to be told

@@ -55,22 +55,24 @@ OutputFile::OutputFile(fs::path place) : place_(std::move(place)) {
   std::error_code ignored;
   const fs::file_status status = fs::status(place_, ignored);
   if (place_.empty() || !place_.has_filename() || fs::is_directory(status)) fail("is a folder, not a file");
-  // A device or a pipe cannot be renamed over; it gets a copy when the file is complete.
-  const bool replaceable = !fs::exists(status) || fs::is_regular_file(status);
-  const fs::path folder = !replaceable ? fs::temp_directory_path() : place_.parent_path();
+  replace_ = !fs::is_symlink(place_, ignored) && (!fs::exists(status) || fs::is_regular_file(status));
+  if (!replace_ && fs::exists(status) && ::access(place_.c_str(), W_OK) != 0) fail(std::strerror(errno));
+  const fs::path folder = replace_ ? place_.parent_path() : fs::temp_directory_path();
   // The number makes the name unique: several runs may write the same place.
   for (int attempt = 0; attempt < 1000; ++attempt) {
     partial_ = folder / fmt::format(".{}.partial-{}-{}{}", place_.stem().string(), ::getpid(), attempt,
                                     place_.extension().string());
+    slot_ = remember(partial_);  // before it is there, so that no signal comes between
     const int file = ::open(partial_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
     if (file >= 0) {
       ::close(file);
-      slot_ = remember(partial_);
       return;
     }
-    if (errno != EEXIST) break;
+    const int error = errno;
+    forget(slot_);
+    if (error != EEXIST) fail(std::strerror(error));
   }
-  fail(std::strerror(errno));
+  fail("no free name for the file in the making");
 }
 
 OutputFile::~OutputFile() {
@@ -78,9 +80,7 @@ OutputFile::~OutputFile() {
   forget(slot_);
 }
 
-void OutputFile::fail(const std::string& why) const {
-  refuse("cannot write: " + why, place_.string());
-}
+void OutputFile::fail(const std::string& why) const { refuse("cannot write: " + why, place_.string()); }
 
 void OutputFile::write(std::string_view content) {
   std::ofstream out(partial_, std::ios::binary | std::ios::trunc);
@@ -90,9 +90,7 @@ void OutputFile::write(std::string_view content) {
 }
 
 void OutputFile::commit() {
-  std::error_code error;
-  const fs::file_status status = fs::status(place_, error);
-  if (fs::exists(status) && !fs::is_regular_file(status)) {
+  if (!replace_) {
     std::ifstream in(partial_, std::ios::binary);
     std::ofstream out(place_, std::ios::binary);
     // An empty file has nothing to copy, which the stream would call a failure.
@@ -101,6 +99,7 @@ void OutputFile::commit() {
     if (!out) fail(std::strerror(errno));
     return;  // the destructor removes the copy's source
   }
+  std::error_code error;
   fs::rename(partial_, place_, error);
   if (error) fail(error.message());
   committed_ = true;

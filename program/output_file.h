@@ -31,6 +31,8 @@ class OutputFile {
 
   std::filesystem::path place_, partial_;
   int slot_ = -1;  // in the table of files that a signal removes
+  // A device, a pipe or a link cannot be renamed over without being lost: it gets a copy of the complete file.
+  bool replace_ = true;
   bool committed_ = false;
 };
 

@@ -28,7 +28,9 @@ std::string duration(double seconds) {
 }  // namespace
 
 Progress::Progress(std::string unit, std::int64_t total, bool quiet)
-    : unit_(std::move(unit)), total_(std::max<std::int64_t>(total, 1)), shown_(!quiet && ::isatty(STDERR_FILENO) != 0) {}
+    : unit_(std::move(unit)),
+      total_(std::max<std::int64_t>(total, 1)),
+      shown_(!quiet && ::isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {
   if (drawn_) {

@@ -1,8 +1,7 @@
 // vsg render: scene file to picture, or a sequence of them.
-#include <nlohmann/json.hpp>
-
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <regex>
 #include <string>
@@ -143,9 +142,8 @@ void run_render(RenderOptions options) {
   WarningPrinter warnings(options.scene.quiet);
   {
     Progress progress("lines", moments.count * (scene.height * samples + 1), options.scene.quiet);
-    for_each_index(moments.count, frame_threads, [&](int i) {
-      statistics[i] = render_frame(options, scene, moments.first + i, progress, warnings);
-    });
+    for_each_index(moments.count, frame_threads,
+                   [&](int i) { statistics[i] = render_frame(options, scene, moments.first + i, progress, warnings); });
   }
   if (stats) {
     nlohmann::ordered_json all;
@@ -167,7 +165,9 @@ void add_render(CLI::App& app) {
   options->picture.threads = machine_threads();
 
   add_scene_options(*command, options->scene);
-  command->add_option("--frames", options->frames, "Frames A to B of the scene's sequence; IMAGE holds a %04d [one picture]")
+  command
+      ->add_option("--frames", options->frames,
+                   "Frames A to B of the scene's sequence; IMAGE holds a %04d [one picture]")
       ->type_name("A-B")
       ->group("Scene");
 
@@ -180,7 +180,8 @@ void add_render(CLI::App& app) {
       ->capture_default_str()
       ->type_name("N")
       ->group("Picture");
-  command->add_flag("--channels", options->picture.channels, "EXR also holds depth, polygon, shader and normal")->group("Picture");
+  command->add_flag("--channels", options->picture.channels, "EXR also holds depth, polygon, shader and normal")
+      ->group("Picture");
   command->add_option("--show", options->show, "A false-colour picture of where the processor worked")
       ->check(CLI::IsMember({"segments", "samples", "tests", "references"}))
       ->type_name("segments|samples|tests|references")
@@ -192,13 +193,17 @@ void add_render(CLI::App& app) {
       ->group("Machine");
   // Not in the help while there is nothing to choose from; refused with a reason.
   command->add_option("--pe", options->pixel_processors)->group("");
-  command->add_option("--threads", options->picture.threads, "Threads for frames and shading; the picture does not depend on it")
+  command
+      ->add_option("--threads", options->picture.threads,
+                   "Threads for frames and shading; the picture does not depend on it")
       ->check(CLI::Range(1, kMostThreads))
       ->capture_default_str()
       ->type_name("N")
       ->group("Machine");
 
-  command->add_option("--stats", options->stats, "Write counters, scan lines and times")->type_name("FILE.json")->group("Reports");
+  command->add_option("--stats", options->stats, "Write counters, scan lines and times")
+      ->type_name("FILE.json")
+      ->group("Reports");
   command->callback([options] { run_render(*options); });
 }
 

@@ -17,7 +17,9 @@ constexpr int kMostWidth = (1 << vsg::kCoordinateBits) - 1 - 2, kMostHeight = (1
 
 void add_scene_options(CLI::App& command, SceneOptions& options) {
   command.add_option("SCENE", options.file, "Scene file (TOML)")->required();
-  command.add_option("--size", options.size, "Width and height of the picture [the scene's]")->type_name("WxH")->group("Scene");
+  command.add_option("--size", options.size, "Width and height of the picture [the scene's]")
+      ->type_name("WxH")
+      ->group("Scene");
   command.add_flag("--quiet", options.quiet, "No progress bar and no warnings")->group("Reports");
 }
 

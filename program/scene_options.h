@@ -14,7 +14,7 @@ namespace program {
 
 struct SceneOptions {
   std::string file;
-  std::string size;      ///< WxH, or empty: the scene's own
+  std::string size;  ///< WxH, or empty: the scene's own
   bool quiet = false;
 };
 

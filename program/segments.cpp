@@ -42,8 +42,7 @@ void add_segments(CLI::App& app) {
   const auto options = std::make_shared<SegmentsOptions>();
   command->add_option("FILE.frame", options->frame, "Frame file")->required();
   add_generator_options(*command, options->generator, "model");
-  command
-      ->add_option("--fraction-bits", options->fraction_bits, "Fraction bits of X and Z (golden model)")
+  command->add_option("--fraction-bits", options->fraction_bits, "Fraction bits of X and Z (golden model)")
       ->check(CLI::Range(kFewestFractionBits, kMostFractionBits))
       ->capture_default_str()
       ->group("Machine");

@@ -68,8 +68,8 @@ struct Column {
   int number;
   std::string_view title;
 };
-constexpr Column kColumns[] = {{1, "total"},       {4, "pre-frame"},   {9, "prepare"},     {10, "sort"},
-                               {2, "most/line"},   {5, "most prep"},   {7, "most sort"},   {3, "mean/line"},
+constexpr Column kColumns[] = {{1, "total"},       {4, "pre-frame"},  {9, "prepare"},   {10, "sort"},
+                               {2, "most/line"},   {5, "most prep"},  {7, "most sort"}, {3, "mean/line"},
                                {8, "mean/active"}, {6, "ns at 30 Hz"}};
 
 template <typename... Arguments>
@@ -99,7 +99,9 @@ void print_q(std::string& text, const Statistics& s) {
 }
 
 void print_adds(std::string& text, const Statistics& s) {
-  print(text, "\nADDS: depth tests by their add cycles, as listed (a skipped segment counts again with the test before it)\n");
+  print(
+      text,
+      "\nADDS: depth tests by their add cycles, as listed (a skipped segment counts again with the test before it)\n");
   for (int i = 1; i <= Statistics::kAdds; ++i) {
     if (s.adds[i] != 0) print(text, "{:>4}{} {:>11}\n", i, i == Statistics::kAdds ? "+" : " ", s.adds[i]);
   }
@@ -110,11 +112,13 @@ void print_adds(std::string& text, const Statistics& s) {
 std::string statistics_table(const vsg::FrameAnswer& answer) {
   std::string text;
   print(text, "Frame of {} x {}\n\nPQ counters\n", answer.width, answer.height);
-  for (int i = 1; i <= Statistics::kPq; ++i) print(text, "{:>4}  {:<60} {:>11}\n", i, kPqMeaning[i], answer.statistics.pq[i]);
+  for (int i = 1; i <= Statistics::kPq; ++i)
+    print(text, "{:>4}  {:<60} {:>11}\n", i, kPqMeaning[i], answer.statistics.pq[i]);
   print_q(text, answer.statistics);
   print_adds(text, answer.statistics);
   if (answer.cycles) {
-    print(text, "\nRTL: {} clock cycles, {} accesses of the port of segment memory\n", *answer.cycles, answer.port_accesses);
+    print(text, "\nRTL: {} clock cycles, {} accesses of the port of segment memory\n", *answer.cycles,
+          answer.port_accesses);
   }
   return text;
 }

@@ -25,8 +25,7 @@ glm::dvec3 color_of(const Object& object) {
 glm::dvec3 light_at(const Light& light, const glm::dvec3& position, const glm::dvec3& normal) {
   const glm::dvec3 full = light.color * light.intensity;
   if (light.kind == Light::Kind::kAmbient) return full;
-  const glm::dvec3 towards =
-      light.kind == Light::Kind::kDirectional ? -light.direction : light.position - position;
+  const glm::dvec3 towards = light.kind == Light::Kind::kDirectional ? -light.direction : light.position - position;
   const double length = glm::length(towards);
   return length > 0 ? full * std::max(0.0, glm::dot(normal, towards) / length) : glm::dvec3(0);
 }

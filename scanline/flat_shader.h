@@ -13,7 +13,8 @@
 
 namespace scanline {
 
-/// Throws UserError, naming the objects' file and line, when the scene asks for shaders or parameters that do not exist.
+/// Throws UserError, naming the objects' file and line, when the scene asks for shaders or parameters that do not
+/// exist.
 void check_shaders(const Scene& scene);
 
 class FlatShader final : public ShaderStage {

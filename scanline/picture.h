@@ -15,9 +15,9 @@ namespace scanline {
 /// What `--channels` adds, a value a pixel, row by row. With several samples a pixel, those of the sample at
 /// (samples / 2, samples / 2) from the top left: averages of these would mean nothing.
 struct PictureChannels {
-  std::vector<float> depth;             ///< screen z of the polygon's plane; the far plane's (kDepthRange) in the background
-  std::vector<std::uint32_t> polygon;   ///< number of the frame's polygon, 0 background
-  std::vector<std::uint32_t> shader;    ///< number of the shader in shader_names(), from 1; 0 background
+  std::vector<float> depth;  ///< screen z of the polygon's plane; the far plane's (kDepthRange) in the background
+  std::vector<std::uint32_t> polygon;               ///< number of the frame's polygon, 0 background
+  std::vector<std::uint32_t> shader;                ///< number of the shader in shader_names(), from 1; 0 background
   std::vector<float> normal_x, normal_y, normal_z;  ///< world, unit length; 0 in the background
 };
 

@@ -22,11 +22,11 @@ constexpr std::array<Rgb8, 9> kHeat = {{{0, 0, 0},
                                         {255, 64, 0},
                                         {255, 255, 255}}};
 
-constexpr std::array<Rgb8, 5> kSampleColors = {{{0, 0, 0},          // no sample point
-                                                {255, 255, 255},    // end of a span that was settled
-                                                {255, 208, 0},      // subdivided at an edge
-                                                {0, 160, 255},      // subdivided in the middle
-                                                {255, 48, 48}}};    // two segments cross
+constexpr std::array<Rgb8, 5> kSampleColors = {{{0, 0, 0},        // no sample point
+                                                {255, 255, 255},  // end of a span that was settled
+                                                {255, 208, 0},    // subdivided at an edge
+                                                {0, 160, 255},    // subdivided in the middle
+                                                {255, 48, 48}}};  // two segments cross
 constexpr int kDim = 3;  // the picture under the sample points has a third of its brightness
 
 // Field numbers, looked up once.
