@@ -1,0 +1,23 @@
+// File list of the Visible Segment Generator; paths from the project's root. Verilator takes vsg.vlt with its waivers too.
++incdir+rtl/vsg
+rtl/vsg/vsg_pkg.sv
+rtl/vsg/segment_memory.sv
+rtl/vsg/free_list.sv
+rtl/vsg/polygon_memory.sv
+rtl/vsg/edge_memory.sv
+rtl/vsg/x_sort.sv
+rtl/vsg/sample_list.sv
+rtl/vsg/polygon_segment_lists.sv
+rtl/vsg/segment_generator.sv
+rtl/vsg/segment_eliminator.sv
+rtl/vsg/active_list.sv
+rtl/vsg/implied_edges.sv
+rtl/vsg/sample_space_generator.sv
+rtl/vsg/clip_quadrant.sv
+rtl/vsg/clip_verdict.sv
+rtl/vsg/box_growth.sv
+rtl/vsg/clipping_unit.sv
+rtl/vsg/depth_comparator.sv
+rtl/vsg/decision_processor.sv
+rtl/vsg/tally.sv
+rtl/vsg/vsg.sv
