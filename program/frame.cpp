@@ -20,6 +20,7 @@ struct FrameOptions {
 };
 
 void run_frame(const FrameOptions& options) {
+  refuse_same_file({options.scene.file, options.output});
   OutputFile output(options.output);
   const scanline::Scene scene = read_scene(options.scene);
   const double moment = options.has_moment ? options.moment : scene.first_frame;

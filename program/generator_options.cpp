@@ -18,7 +18,7 @@ bool has_rtl() {
 void add_generator_options(CLI::App& command, GeneratorOptions& options, const std::string& preferred) {
   options.vsg = has_rtl() ? preferred : "model";
   command.add_option("--vsg", options.vsg, "Who does the work: the golden model or the verilated RTL")
-      ->check(CLI::IsMember({"model", "rtl"}))
+      ->check(CLI::IsMember({"model", "rtl"}).description(""))
       ->capture_default_str()
       ->type_name("model|rtl")
       ->group("Machine");

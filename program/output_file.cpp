@@ -105,6 +105,18 @@ void OutputFile::commit() {
   committed_ = true;
 }
 
+void refuse_same_file(const std::vector<fs::path>& paths) {
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (paths[i].empty() || paths[j].empty()) continue;
+      std::error_code ignored;
+      if (fs::weakly_canonical(paths[i], ignored) == fs::weakly_canonical(paths[j], ignored)) {
+        refuse("this file is named twice, to be read or written as different things", paths[i].string());
+      }
+    }
+  }
+}
+
 void write_standard_output(std::string_view content) {
   std::fwrite(content.data(), 1, content.size(), stdout);
   if (std::fflush(stdout) != 0 || std::ferror(stdout)) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace program {
 
@@ -35,6 +36,10 @@ class OutputFile {
   bool replace_ = true;
   bool committed_ = false;
 };
+
+/// Refuses when two of these are one file: what is read must not be overwritten by what is written. Empty names are
+/// left out. Throws scanline::UserError.
+void refuse_same_file(const std::vector<std::filesystem::path>& paths);
 
 /// Writes to standard output and makes sure that all of it has arrived. Throws scanline::UserError.
 void write_standard_output(std::string_view content);

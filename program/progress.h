@@ -31,7 +31,7 @@ class Progress {
   const Clock::time_point begin_ = Clock::now();
   std::atomic<std::int64_t> done_{0};
   std::mutex mutex_;
-  Clock::time_point last_draw_{};
+  Clock::time_point last_draw_ = begin_;  // what is done at once shows no bar
   bool drawn_ = false;
 };
 

@@ -125,6 +125,7 @@ void run_render(RenderOptions options) {
   check_options(options, sequence);
   options.picture.show = scanline::show_named(options.show);
   check_image_format(options.image, options.picture.channels);
+  refuse_same_file({options.scene.file, options.image, options.stats, options.picture.generator.trace});
   std::optional<OutputFile> stats;
   if (!options.stats.empty()) stats.emplace(options.stats);
   if (!options.picture.generator.trace.empty()) OutputFile{options.picture.generator.trace};
@@ -176,14 +177,14 @@ void add_render(CLI::App& app) {
       ->type_name("IMAGE")
       ->group("Picture");
   command->add_option("--samples", options->picture.samples, "N x N samples a pixel, averaged")
-      ->check(CLI::Range(1, kMostSamples))
+      ->check(CLI::Range(1, kMostSamples).description(""))
       ->capture_default_str()
       ->type_name("N")
       ->group("Picture");
   command->add_flag("--channels", options->picture.channels, "EXR also holds depth, polygon, shader and normal")
       ->group("Picture");
-  command->add_option("--show", options->show, "A false-colour picture of where the processor worked")
-      ->check(CLI::IsMember({"segments", "samples", "tests", "references"}))
+  command->add_option("--show", options->show, "A false-colour picture of where the processor worked (docs/pictures.md)")
+      ->check(CLI::IsMember({"segments", "samples", "tests", "references"}).description(""))
       ->type_name("segments|samples|tests|references")
       ->group("Picture");
 
@@ -196,7 +197,7 @@ void add_render(CLI::App& app) {
   command
       ->add_option("--threads", options->picture.threads,
                    "Threads for frames and shading; the picture does not depend on it")
-      ->check(CLI::Range(1, kMostThreads))
+      ->check(CLI::Range(1, kMostThreads).description(""))
       ->capture_default_str()
       ->type_name("N")
       ->group("Machine");

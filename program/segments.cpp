@@ -43,7 +43,8 @@ void add_segments(CLI::App& app) {
   command->add_option("FILE.frame", options->frame, "Frame file")->required();
   add_generator_options(*command, options->generator, "model");
   command->add_option("--fraction-bits", options->fraction_bits, "Fraction bits of X and Z (golden model)")
-      ->check(CLI::Range(kFewestFractionBits, kMostFractionBits))
+      ->check(CLI::Range(kFewestFractionBits, kMostFractionBits).description(""))
+      ->type_name("N")
       ->capture_default_str()
       ->group("Machine");
   command->add_flag("--keep-back-faces", options->keep_back_faces, "Polygons that face away are visible too")

@@ -121,6 +121,39 @@ TEST_F(CommandLine, BadFilesAreNamedWithTheLine) {
   expect_refused({"segments", "outside.frame"}, "outside.frame:5:");
 }
 
+TEST_F(CommandLine, AFullSegmentMemoryStopsTheFrame) {
+  // 8,193 polygons on the same lines need as many segment blocks; the machine has 8,192.
+  std::string frame = "vsgframe 1\nsize 16 16\nv 3 3 1\nv 3 9 1\nv 9 9 1\n";
+  for (int i = 0; i < 8192; ++i) frame += "v 3 3 2\nv 3 9 2\nv 9 9 2\n";
+  for (int i = 0; i <= 8192; ++i) {
+    for (const int vertex : {1, 2, 3}) frame += (vertex == 1 ? "p " : " ") + std::to_string(3 * i + vertex);
+    frame += '\n';
+  }
+  write("full.frame", frame);
+  expect_refused({"segments", "full.frame"}, "full.frame: error: scan line 4: segment memory is full");
+#ifdef VSG_HAVE_RTL
+  expect_refused({"segments", "full.frame", "--vsg", "rtl"}, "full.frame: error: scan line 4: segment memory is full");
+#endif
+}
+
+TEST_F(CommandLine, WhatIsReadIsNotOverwritten) {
+  expect_refused({"frame", "scene.toml", "-o", "./scene.toml"}, "named twice");
+  expect_refused({"render", "scene.toml", "-o", "a.png", "--stats", "scene.toml"}, "named twice");
+  expect_refused({"render", "scene.toml", "-o", "a.png", "--stats", "a.png"}, "named twice");
+}
+
+TEST_F(CommandLine, DoubtfulPolygonsAreWarnings) {
+  // The fourth corner lies behind the plane of the others.
+  write("r.off", "OFF\n4 1 0\n-0.5 -0.5 0\n0.5 -0.5 0\n0.5 0.5 0\n-0.5 0.5 -1\n4 0 1 2 3\n");
+  const Outcome loud = run({"render", "scene.toml", "-o", "a.png", "--vsg", "model"});
+  EXPECT_EQ(loud.status, 0);
+  EXPECT_NE(loud.err.find("warning: "), std::string::npos) << loud.err;
+  EXPECT_NE(loud.err.find("scene.toml:"), std::string::npos) << loud.err;
+  const Outcome quiet = run({"render", "scene.toml", "-o", "a.png", "--vsg", "model", "--quiet"});
+  EXPECT_EQ(quiet.status, 0);
+  EXPECT_EQ(quiet.err, "");
+}
+
 TEST_F(CommandLine, AnUnwritableOutputIsFoundAtOnce) {
   expect_refused({"render", "scene.toml", "-o", "absent/a.png"}, "absent/a.png");
   expect_refused({"render", "scene.toml", "-o", "a.nosuffix"}, ".nosuffix");
