@@ -9,6 +9,7 @@
 #include <new>
 
 #include "scanline/error.h"
+#include "scanline/mesh_checks.h"
 #include "scanline/text_reader.h"
 
 namespace scanline {
@@ -152,6 +153,7 @@ Mesh read_mesh_file(const std::filesystem::path& path) {
     throw UserError(
         {path.string(), 0, 0, "unknown kind of mesh '" + suffix + "' (known: .obj, .off, .ply, .stl, .gltf, .glb)"});
   }
+  if (suffix == ".ply") check_ply(text, path.string());
   try {
     return read_with_assimp(path);
   } catch (const std::bad_alloc&) {

@@ -47,7 +47,8 @@ class ObjectProcessor {
   void run() {
     check_polygons();
     if (flat_) return;  // scaled to nothing at this moment
-    Clipper clipper(std::move(clip_), world_, corner_values(), stride_);
+    std::vector<double> corners = corner_values();
+    Clipper clipper(std::move(clip_), world_, std::move(corners), stride_);
     numbers_.assign(clipper.vertex_count(), 0);
     for (std::uint32_t p = 0; p < object_.mesh.polygons.size(); ++p) {
       const std::vector<ClipLoop>& loops = clipper.clip(object_.mesh.polygons[p], first_[p]);

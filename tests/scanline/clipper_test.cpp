@@ -64,7 +64,8 @@ double area(const Outline& outline) {
   return sum;
 }
 
-/// A simple polygon, seldom convex. It is off the origin, for what a box around its centre holds would never fall apart.
+/// A simple polygon, seldom convex. It is off the origin, for what a box around its centre holds would never fall
+/// apart.
 Outline star(std::mt19937& random, double size) {
   std::uniform_real_distribution<double> radius(0.1, 1), offset(-0.5, 0.5);
   const glm::dvec2 centre(size * offset(random), size * offset(random));
