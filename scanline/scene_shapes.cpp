@@ -2,6 +2,7 @@
 
 #include "scanline/mesh_reader.h"
 #include "scanline/patches.h"
+#include "scanline/polygon.h"
 #include "scanline/shapes.h"
 #include "scanline/text_reader.h"
 
@@ -78,7 +79,12 @@ Mesh read_prism(TomlTable& t) {
     return {};
   }
   std::vector<glm::dvec2> outline;
-  for (std::size_t k = 0; k < numbers->size(); k += 2) outline.emplace_back((*numbers)[k], (*numbers)[k + 1]);
+  std::vector<glm::dvec3> points;
+  for (std::size_t k = 0; k < numbers->size(); k += 2) {
+    outline.emplace_back((*numbers)[k], (*numbers)[k + 1]);
+    points.emplace_back(outline.back(), 0);
+  }
+  if (!has_area(points)) t.mistakes().add(t.where("outline"), "'outline' of a prism encloses no area");
   return make_prism(outline, depth);
 }
 
