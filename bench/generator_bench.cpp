@@ -47,7 +47,7 @@ void golden(benchmark::State& state, const std::string& scene) {
 
 #ifdef VSG_HAVE_RTL
 void rtl(benchmark::State& state, const std::string& scene) {
-  tb::VerilatedGenerator generator(false, "");
+  tb::VerilatedGenerator generator;
   work_frames(state, generator, scene);
 }
 #endif

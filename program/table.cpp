@@ -52,7 +52,7 @@ std::string number_text(std::optional<double> value) {
 }
 
 std::string published_text(const Cell& cell) {
-  const char* doubt = cell.confidence == "certain" ? " " : cell.confidence == "likely" ? "~" : "?";
+  const char* doubt = cell.confidence == "likely" ? "~" : cell.confidence == "unreadable" ? "?" : " ";
   return number_text(cell.published) + doubt;
 }
 
