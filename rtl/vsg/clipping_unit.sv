@@ -127,7 +127,7 @@ module clipping_unit (
     .z_min_o(or_min), .z_max_o(or_max), .rising_o(kept_rising_right)
   );
   logic unused_signs;
-  assign unused_signs = &{1'b0, new_rising_right, kept_rising_right};  // equal to the left ones
+  assign unused_signs = &{1'b0, new_rising, new_rising_right, kept_rising_right};  // as loaded
 
   vsg_pkg::verdict_e verdict;
   logic nl, ol, nr, olr;

@@ -356,11 +356,7 @@ module vsg (
         if (decided && again) begin
           state_d = StCompareAgain;
         end else if (decided) begin
-          state_d = StSpan;
-          if (span.right == width) begin
-            finish_start = 1'b1;
-            state_d      = StFinish;
-          end
+          state_d = (span.right == width) ? StFinish : StSpan;
         end
       end
       StCompareAgain: begin
@@ -373,7 +369,10 @@ module vsg (
           state_d       = StError;
         end
       end
-      StFinish: if (finished) state_d = StLineDone;
+      StFinish: begin
+        finish_start = 1'b1;
+        if (finished) state_d = StLineDone;
+      end
       StLineDone: begin
         trace_phase_o.line_finished = 1'b1;
         line_d                      = line_q + 1'b1;

@@ -89,7 +89,15 @@ module vsg_harness (
   output logic         line_started_o,
   output logic         sort_started_o,
   output logic         line_finished_o,
-  output vsg_pkg::counters_t counters_o
+  output vsg_pkg::counters_t counters_o,
+  // what this machine was made with
+  output logic [31:0]  fraction_bits_x_o,
+  output logic [31:0]  fraction_bits_z_o,
+  output logic [31:0]  integer_bits_o,
+  output logic [31:0]  segment_blocks_o,
+  output logic [31:0]  edge_blocks_o,
+  output logic [31:0]  polygon_blocks_o,
+  output logic [31:0]  coordinate_bits_o
 );
 
   localparam int XExtend = 64 - vsg_pkg::XW;
@@ -186,6 +194,14 @@ module vsg_harness (
   assign sample_block_o = 64'(sample.point.address.block);
   assign sample_side_o  = 64'(sample.point.address.side);
   assign sample_x_o     = {{PixelExtend{sample.point.pixel[vsg_pkg::IntegerBits-1]}}, sample.point.pixel};
+
+  assign fraction_bits_x_o = vsg_pkg::FracX;
+  assign fraction_bits_z_o = vsg_pkg::FracZ;
+  assign integer_bits_o    = vsg_pkg::IntegerBits;
+  assign segment_blocks_o  = vsg_pkg::SegmentBlocks;
+  assign edge_blocks_o     = vsg_pkg::EdgeBlocks;
+  assign polygon_blocks_o  = vsg_pkg::PolygonBlocks;
+  assign coordinate_bits_o = vsg_pkg::CoordW;
 
   assign line_started_o  = phase.line_started;
   assign sort_started_o  = phase.sort_started;
