@@ -34,13 +34,14 @@ void run_explain(const ExplainOptions& options) {
 
 }  // namespace
 
-void add_explain(CLI::App& app) {
+void add_explain(CLI::App& app, const std::string& command_line) {
   auto* command = app.add_subcommand("explain", "What the processor decided on one scan line, step by step");
   command->group("Steps of the machine");
   const auto options = std::make_shared<ExplainOptions>();
   command->add_option("FILE.frame", options->frame, "Frame file")->required();
   command->add_option("--line", options->line, "Scan line; 1 is the lowest")->required()->type_name("Y");
   add_generator_options(*command, options->generator, "model");
+  options->generator.replay = command_line;
   command->add_flag("--keep-back-faces", options->keep_back_faces, "Polygons that face away are visible too")
       ->group("Machine");
   command->callback([options] { run_explain(*options); });

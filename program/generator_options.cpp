@@ -45,7 +45,10 @@ std::unique_ptr<scanline::VisibleSegmentGenerator> make_generator(const Generato
                                                                   const vsg::Parameters& parameters) {
   check_generator_options(options);
 #ifdef VSG_HAVE_RTL
-  if (options.vsg == "rtl") return std::make_unique<tb::VerilatedGenerator>(options.lockstep, options.trace);
+  if (options.vsg == "rtl") {
+    return std::make_unique<tb::VerilatedGenerator>(
+        tb::VerilatedOptions{.lockstep = options.lockstep, .trace = options.trace, .replay = options.replay});
+  }
 #endif
   return std::make_unique<scanline::GoldenGenerator>(parameters);
 }

@@ -17,6 +17,7 @@ struct GeneratorOptions {
   std::string vsg;        ///< "model" or "rtl"
   bool lockstep = false;  ///< the golden model beside the RTL
   std::string trace;      ///< waveform file, or empty
+  std::string replay;     ///< the command line that repeats the run
 };
 
 /// Adds --vsg and --lockstep. `preferred` is what the command would rather use; a program without RTL has the model.
@@ -25,7 +26,7 @@ void add_generator_options(CLI::App& command, GeneratorOptions& options, const s
 /// Throws scanline::UserError when the options contradict each other or this program has no RTL.
 void check_generator_options(const GeneratorOptions& options);
 
-/// `place` is told in a replay command; `events` will be asked for when frames are worked.
+/// Throws as check_generator_options does. `parameters` are the golden model's; the RTL has its own.
 std::unique_ptr<scanline::VisibleSegmentGenerator> make_generator(const GeneratorOptions& options,
                                                                   const vsg::Parameters& parameters);
 

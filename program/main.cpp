@@ -4,6 +4,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <string_view>
 
 #include "cmodel/vsg/answer.h"
 #include "program/commands.h"
@@ -19,6 +20,24 @@ int report(const char* text, ExitStatus status) {
   return status;
 }
 
+/// As a shell would take it again.
+std::string quoted_command_line(int argc, char** argv) {
+  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=+./,:@%";
+  std::string text;
+  for (int i = 0; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (i > 0) text += ' ';
+    if (!word.empty() && word.find_first_not_of(kPlain) == word.npos) {
+      text += word;
+      continue;
+    }
+    text += '\'';
+    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    text += '\'';
+  }
+  return text;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -26,12 +45,14 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_help_flag("-h,--help", "This text");
   app.set_version_flag("--version", VSG_VERSION);
-  app.footer("vsg COMMAND --help tells the options of a command.\n"
-             "Exit status: 0 success, 1 a mistake in what was given, 2 golden model and RTL disagree.");
-  program::add_render(app);
+  app.footer(
+      "vsg COMMAND --help tells the options of a command.\n"
+      "Exit status: 0 success, 1 a mistake in what was given, 2 golden model and RTL disagree.");
+  const std::string command_line = quoted_command_line(argc, argv);
+  program::add_render(app, command_line);
   program::add_frame(app);
-  program::add_segments(app);
-  program::add_explain(app);
+  program::add_segments(app, command_line);
+  program::add_explain(app, command_line);
   program::add_tables(app);
 
   program::remove_partial_files_on_signals();

@@ -3,7 +3,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <regex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "program/answer_json.h"
 #include "program/commands.h"
 #include "program/image_file.h"
+#include "program/number_pair.h"
 #include "program/output_file.h"
 #include "program/parallel.h"
 #include "program/picture_maker.h"
@@ -38,12 +38,11 @@ struct Moments {
 
 std::optional<Moments> parse_frames(const std::string& text) {
   if (text.empty()) return std::nullopt;
-  static const std::regex kFrames("([0-9]{1,6})-([0-9]{1,6})");
-  std::smatch match;
-  if (!std::regex_match(text, match, kFrames) || std::stoi(match[2]) < std::stoi(match[1])) {
+  const auto range = parse_pair(text, "-");
+  if (!range || range->second < range->first) {
     refuse("--frames wants A-B with A <= B, such as 1-24, not '" + text + "'");
   }
-  return Moments{std::stoi(match[1]), std::stoi(match[2]) - std::stoi(match[1]) + 1};
+  return Moments{range->first, range->second - range->first + 1};
 }
 
 /// IMAGE with the frame's number in place of %04d.
@@ -159,7 +158,7 @@ void run_render(RenderOptions options) {
 
 }  // namespace
 
-void add_render(CLI::App& app) {
+void add_render(CLI::App& app, const std::string& command_line) {
   auto* command = app.add_subcommand("render", "A scene to a picture, its visible surfaces found by the machine");
   command->group("Pictures");
   const auto options = std::make_shared<RenderOptions>();
@@ -183,12 +182,14 @@ void add_render(CLI::App& app) {
       ->group("Picture");
   command->add_flag("--channels", options->picture.channels, "EXR also holds depth, polygon, shader and normal")
       ->group("Picture");
-  command->add_option("--show", options->show, "A false-colour picture of where the processor worked (docs/pictures.md)")
+  command
+      ->add_option("--show", options->show, "A false-colour picture of where the processor worked (docs/pictures.md)")
       ->check(CLI::IsMember({"segments", "samples", "tests", "references"}).description(""))
       ->type_name("segments|samples|tests|references")
       ->group("Picture");
 
   add_generator_options(*command, options->picture.generator, "rtl");
+  options->picture.generator.replay = command_line;
   command->add_option("--trace", options->picture.generator.trace, "Write the waveform of the RTL")
       ->type_name("FILE.fst")
       ->group("Machine");

@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <regex>
+#include <tuple>
 
+#include "program/number_pair.h"
 #include "program/refuse.h"
 
 namespace program {
@@ -26,13 +27,9 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
 scanline::Scene read_scene(const SceneOptions& options) {
   int width = 0, height = 0;
   if (!options.size.empty()) {
-    static const std::regex kSize("([0-9]{1,6})[xX]([0-9]{1,6})");
-    std::smatch match;
-    if (!std::regex_match(options.size, match, kSize)) {
-      refuse("--size wants WxH, such as 640x480, not '" + options.size + "'");
-    }
-    width = std::stoi(match[1]);
-    height = std::stoi(match[2]);
+    const auto size = parse_pair(options.size, "xX");
+    if (!size) refuse("--size wants WxH, such as 640x480, not '" + options.size + "'");
+    std::tie(width, height) = *size;
     check_picture_size(width, height);
   }
   scanline::Scene scene = scanline::read_scene_file(options.file);

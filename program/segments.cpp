@@ -36,12 +36,13 @@ void run_segments(const SegmentsOptions& options) {
 
 }  // namespace
 
-void add_segments(CLI::App& app) {
+void add_segments(CLI::App& app, const std::string& command_line) {
   auto* command = app.add_subcommand("segments", "Visible segments and counters of a frame, as JSON");
   command->group("Steps of the machine");
   const auto options = std::make_shared<SegmentsOptions>();
   command->add_option("FILE.frame", options->frame, "Frame file")->required();
   add_generator_options(*command, options->generator, "model");
+  options->generator.replay = command_line;
   command->add_option("--fraction-bits", options->fraction_bits, "Fraction bits of X and Z (golden model)")
       ->check(CLI::Range(kFewestFractionBits, kMostFractionBits).description(""))
       ->type_name("N")
