@@ -9,6 +9,7 @@
 module clipping_unit (
   input  logic                    clk_i,
   input  logic                    rst_ni,
+  input  logic                    frame_start_i,    // nothing is left of the frame before
   // from the depth comparator
   input  logic                    clear_i,          // a span begins: the box is empty
   input  logic                    start_i,
@@ -297,6 +298,17 @@ module clipping_unit (
     if (account_i) begin
       if (add_cycles_q == '0) add_cycles_d[0] = 1'b1;
       if (add_cycles_q > MostAdds) add_cycles_d = MostAdds;
+    end
+    if (frame_start_i) begin
+      state_d      = StIdle;
+      box_d        = '0;
+      add_cycles_d = '0;
+      left_clip_d  = '0;
+      right_clip_d = '0;
+      nl_d         = 1'b0;
+      ol_d         = 1'b0;
+      nr_d         = 1'b0;
+      or_d         = 1'b0;
     end
   end
 

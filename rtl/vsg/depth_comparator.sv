@@ -140,7 +140,7 @@ module depth_comparator (
   end
 
   clipping_unit u_clipping_unit (
-    .clk_i, .rst_ni,
+    .clk_i, .rst_ni, .frame_start_i,
     .clear_i(clear_box), .start_i(start), .candidate_i(candidate), .from_x_sort_i(from_x_sort_q),
     .searching_i(searching_q), .done_o(test_done), .account_i(account), .add_cycles_o(add_cycles),
     .crossing_o(found_crossing), .span_i, .box_o(box), .trace_o
