@@ -74,10 +74,13 @@ const std::vector<ClipLoop>& Clipper::clip(std::span<const std::uint32_t> polygo
     crossed |= below_[v];
     missed &= not_above_[v];
   }
-  loops_.clear();
-  if (missed & crossed) return loops_;
-
-  ClipLoop& loop = loops_.emplace_back();
+  if (missed & crossed) {
+    loops_.clear();
+    return loops_;
+  }
+  loops_.resize(1);  // most polygons lie inside: the loop's memory serves again
+  ClipLoop& loop = loops_[0];
+  loop.clear();
   for (std::uint32_t k = 0; k < polygon.size(); ++k) loop.push_back({polygon[k], first_corner + k});
   for (std::uint32_t plane = 0; plane < kPlanes; ++plane) {
     if (!(crossed >> plane & 1)) continue;

@@ -132,7 +132,8 @@ class ObjectProcessor {
 
   void add_polygon(const Clipper& clipper, const ClipLoop& loop, std::uint32_t polygon, const glm::dvec3& normal) {
     // Counter-clockwise in front becomes clockwise; in a mirrored object it already is.
-    ClipLoop kept;
+    ClipLoop& kept = kept_;
+    kept.clear();
     const std::size_t n = loop.size();
     for (std::size_t k = 0; k < n; ++k) kept.push_back(loop[mirrored_ ? k : (n - k) % n]);
     const auto same_place = [&](const ClipCorner& a, const ClipCorner& b) {
@@ -200,6 +201,7 @@ class ObjectProcessor {
   glm::dmat3 normal_matrix_{1};
   std::vector<glm::dvec3> world_, points_;
   std::vector<glm::dvec4> clip_;
+  ClipLoop kept_;
   int stride_ = 0;
   std::vector<Source> sources_;         ///< one a frame attribute
   std::vector<std::uint32_t> numbers_;  ///< of the frame's vertices, from 1; 0: not used so far

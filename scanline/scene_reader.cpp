@@ -18,7 +18,7 @@ constexpr Range kColor{0, 1, false};
 
 class SceneReader {
  public:
-  SceneReader(const std::filesystem::path& path) : folder_(path.parent_path()), mistakes_{path.string(), {}} {}
+  explicit SceneReader(const std::filesystem::path& path) : folder_(path.parent_path()), mistakes_{path.string(), {}} {}
 
   Scene read(const std::string& text) {
     toml::table root;

@@ -1,5 +1,6 @@
 #include "scanline/text_reader.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fstream>
