@@ -110,19 +110,19 @@ def tower():
 
 def wall():
     """Around the churchyard, with a gap before the door."""
-    for x in split(-27, 24, 17):
-        for z in both((25.2, 25.8)):
+    for x in split(-22, 20.5, 17):
+        for z in both((20.2, 20.8)):
             block("walls", (x[0], x[1] - 0.15), (0, 1.3), z, (1, 0.7))
-    for z in split(-25.2, 25.2, 13):
-        block("walls", (23.8, 24.4), (0, 1.3), (z[0] + 0.15, z[1]), (0.7, 1))
+    for z in split(-20.2, 20.2, 13):
+        block("walls", (20.3, 20.9), (0, 1.3), (z[0] + 0.15, z[1]), (0.7, 1))
         if abs(z[0] + z[1]) > 4:
-            block("walls", (-27.6, -27), (0, 1.3), (z[0] + 0.15, z[1]), (0.7, 1))
+            block("walls", (-22.6, -22), (0, 1.3), (z[0] + 0.15, z[1]), (0.7, 1))
 
 
 def churchyard(count):
     """What is left of the blocks becomes gravestones south of the nave, in rows."""
     for k in range(count):
-        x, z = -7.5 + 3.1 * (k % 9), 9.5 + 3.2 * (k // 9)
+        x, z = -7.5 + 3.1 * (k % 9), 9.2 + 2.3 * (k // 9)
         block("graves", (x - 0.4, x + 0.4), (0, 1.1 + 0.2 * ((k * 7) % 3)), (z - 0.12, z + 0.12), (0.8, 1))
 
 
@@ -135,9 +135,9 @@ size = [512, 512]
 background = [0.55, 0.70, 0.90]
 
 [camera]
-position = [-40, 25, 56]
-target = [-1.5, 10, 0]
-field_of_view = 38
+position = [-46, 31, 64]
+target = [0, 8.5, 1.5]
+field_of_view = 39
 near = 5
 far = 200
 

@@ -258,6 +258,9 @@ TEST(SceneReader, ChurchHasTheBlocksOfFigure35) {
   }
   EXPECT_EQ(polygons, 345u * 6);
   EXPECT_EQ(quads, polygons);
+  // All of it is in the picture, on one polygon of ground.
+  const auto frame = scanline::make_scene_frame(scene, 1, scene.width, scene.height);
+  EXPECT_EQ(frame.frame.polygons.size(), 345u * 6 + 1);
 }
 
 }  // namespace
