@@ -16,7 +16,9 @@ namespace tb {
 template <class Harness>
 class RtlDriver final : public RtlMachine {
  public:
-  explicit RtlDriver(const std::filesystem::path& trace) {
+  /// `most_cycles_of_line`: a machine that takes longer is stuck.
+  explicit RtlDriver(const std::filesystem::path& trace, std::int64_t most_cycles_of_line = 20'000'000)
+      : most_cycles_of_line_(most_cycles_of_line) {
     context_.traceEverOn(!trace.empty());
     top_ = std::make_unique<Harness>(&context_);
     if (!trace.empty()) {
@@ -73,7 +75,7 @@ class RtlDriver final : public RtlMachine {
       if (top_->error_o != 0) {
         throw vsg::FrameError(static_cast<vsg::FrameError::Kind>(top_->error_o - 1), static_cast<int>(top_->line_o));
       }
-      if (cycle_ - line_began > kMostCyclesOfLine) {
+      if (cycle_ - line_began > most_cycles_of_line_) {
         throw vsg::LockstepError("scan line " + std::to_string(top_->line_o) + ": the RTL does not finish the line (cycle " +
                                  std::to_string(cycle_) + ")");
       }
@@ -88,7 +90,6 @@ class RtlDriver final : public RtlMachine {
   }
 
  private:
-  static constexpr std::int64_t kMostCyclesOfLine = 20'000'000;
   // Words of counters_o beyond the numbers of the 1970 program: vsg_pkg::counter_e.
   enum { kCrossings = 26, kImplied, kInsertions, kNotAtEnd, kAddCycles, kAddCyclesListed, kStale, kUnclosed, kBlocksNow,
          kBlocksMost, kDensity, kInvolved, kPolygons, kFrontPolygons, kEdges, kFrontEdges, kEnteredEdges, kPortAccesses,
@@ -207,6 +208,7 @@ class RtlDriver final : public RtlMachine {
   vsg::Parameters parameters_;
   vsg::StatisticsRecorder recorder_;
   std::int64_t cycle_ = 0;
+  std::int64_t most_cycles_of_line_;
   std::int64_t references_before_ = 0, segments_before_ = 0;
 };
 

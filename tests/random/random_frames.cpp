@@ -118,8 +118,11 @@ class Maker {
     }
   }
   void coincident() {
-    const std::uint32_t a = vertex(any_x(), any_y(), any_z()), b = vertex(any_x(), any_y(), any_z()),
-                        c = vertex(any_x(), any_y(), any_z());
+    const bool flat = chance(0.4);  // the same depth everywhere: ties
+    const double z = any_z();
+    const auto depth = [&] { return flat ? z : any_z(); };
+    const std::uint32_t a = vertex(any_x(), any_y(), depth()), b = vertex(any_x(), any_y(), depth()),
+                        c = vertex(any_x(), any_y(), depth());
     for (int n = 2 + below(3); n > 0; --n) chance(0.5) ? polygon({a, b, c}) : polygon({c, b, a});
   }
   void star() {
