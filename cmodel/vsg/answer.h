@@ -50,6 +50,7 @@ struct FrameAnswer {
   std::int64_t stale_samples = 0;       ///< sample points read left of their span (non-convex polygons)
   std::int64_t unclosed_polygons = 0;   ///< a left edge without a right one, seen by the Segment Eliminator
   std::int64_t coherence_samples = 0;   ///< sample points taken from the frame before (chapter IV)
+  std::vector<bool> edges_visible;      ///< with frame coherence: visible on the line it entered on; index: edge - 1
   std::int64_t port_accesses = 0;       ///< accesses of the single port of segment memory
   std::optional<std::int64_t> cycles;   ///< clock cycles, when RTL did the work
 };

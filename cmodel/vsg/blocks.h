@@ -21,6 +21,8 @@ struct Parameters {
   std::uint32_t edge_blocks = kEdgeBlocks;
   std::uint32_t polygon_blocks = kPolygonBlocks;
   int memory_cycle_ns = kMemoryCycleNs;
+  /// Chapter IV: edges that were visible where they entered in the frame before are sample points there. Golden model only.
+  bool frame_coherence = false;
 };
 
 /// Polygon block (figure 4). The fields reserved for the processor live in the processor.
@@ -36,6 +38,7 @@ struct EdgeBlock {
   std::int32_t lines = 0;            ///< scan lines on which the edge is present; 0: horizontal, rejected
   std::int64_t x = 0, dx = 0;        ///< X at first_line and its increment a scan line
   std::int64_t z = 0, dz = 0;
+  bool visible_before = false;       ///< visible, in the frame before, on the line it entered on (frame coherence)
 };
 
 /// All that the processor is given for one frame.

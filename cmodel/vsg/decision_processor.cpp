@@ -73,7 +73,10 @@ void DecisionProcessor::output(std::int64_t x_end, std::int32_t polygon) {
   }
   held_.y = w_.line;
   held_.x_end = static_cast<std::int32_t>(x_end);
-  if (span.at_left.pixel != 0) list_.store(span.at_left);
+  if (span.at_left.pixel != 0) {
+    list_.store(span.at_left);
+    coherence_.visible(span.at_left.edge);
+  }
   span.at_left.pixel = 0;
 }
 

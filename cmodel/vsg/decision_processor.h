@@ -12,9 +12,10 @@ namespace vsg {
 class DecisionProcessor {
  public:
   DecisionProcessor(Wiring& wiring, DepthComparator& comparator, ActiveList& active, SampleSpaceGenerator& samples,
-                    SampleList& list, ImpliedEdges& implied, std::vector<VisibleSegment>& output)
+                    SampleList& list, ImpliedEdges& implied, FrameCoherence& coherence,
+                    std::vector<VisibleSegment>& output)
       : w_(wiring), comparator_(comparator), active_(active), samples_(samples), list_(list), implied_(implied),
-        output_(output) {}
+        coherence_(coherence), output_(output) {}
 
   void start_line() { segments_ = 0; }
   /// Judges the span. False: it was subdivided and must be sorted again.
@@ -35,6 +36,7 @@ class DecisionProcessor {
   SampleSpaceGenerator& samples_;
   SampleList& list_;
   ImpliedEdges& implied_;
+  FrameCoherence& coherence_;
   std::vector<VisibleSegment>& output_;
   std::int64_t segments_ = 0;  ///< of this line so far
   VisibleSegment held_;        ///< the last of them, which may still grow

@@ -107,8 +107,8 @@ void DepthComparator::test(SegmentPointer p, const SegmentBlock& block) {
   ++w_.tally.q[q::kDepthTests];
   tested_ = true;
   const std::int64_t left = w_.x_format.integer(block.left.x), right = w_.x_format.integer(block.right.x);
-  if (block.left_lines < 0 && left + 1 == span.left) span.at_left = {w_.next_pixel(block.left), {p, 0}};
-  if (block.right_lines < 0 && right == span.right) span.at_right = {w_.next_pixel(block.right), {p, 1}};
+  if (block.left_lines < 0 && left + 1 == span.left) span.at_left = {w_.next_pixel(block.left), {p, 0}, block.left.edge};
+  if (block.right_lines < 0 && right == span.right) span.at_right = {w_.next_pixel(block.right), {p, 1}, block.right.edge};
   compare({p, block.polygon, block.left.x, block.right.x, block.left.z, block.right.z, left < span.left ? right : left}, false);
 }
 

@@ -30,13 +30,14 @@ PolygonSegmentLists::Place PolygonSegmentLists::find(const EdgeBlock& edge, std:
   return right_half_empty ? Place::kRightOfPrevious : Place::kNewBlock;
 }
 
-void PolygonSegmentLists::insert(const EdgeBlock& edge, std::int32_t polygon) {
+void PolygonSegmentLists::insert(const EdgeBlock& edge, std::uint32_t number, std::int32_t polygon) {
   SegmentPointer previous = 0, next = 0;
   SegmentBlock found;
   const Place place = find(edge, polygon, previous, next, found);
 
   // The Depth Sorter adds the increments before it uses a segment, so what is stored is one line behind.
-  const SegmentEdge half{w_.x_format.wrap(edge.x - edge.dx), edge.dx, w_.z_format.wrap(edge.z - edge.dz), edge.dz};
+  const SegmentEdge half{w_.x_format.wrap(edge.x - edge.dx), edge.dx, w_.z_format.wrap(edge.z - edge.dz), edge.dz,
+                         number};
 
   SegmentBlock word;
   if (place == Place::kNewBlock || place == Place::kSplit) {

@@ -13,7 +13,7 @@ class PolygonSegmentLists {
   PolygonSegmentLists(Wiring& wiring, SampleList& samples) : w_(wiring), samples_(samples) {}
 
   /// Inserts an edge that enters on this line into the list of a polygon.
-  void insert(const EdgeBlock& edge, std::int32_t polygon);
+  void insert(const EdgeBlock& edge, std::uint32_t number, std::int32_t polygon);
 
  private:
   enum class Place { kRightOfPrevious, kLeftOfPrevious, kNewBlock, kSplit };

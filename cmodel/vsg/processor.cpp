@@ -56,15 +56,16 @@ struct Processor::Machine {
                 {parameters.integer_bits + parameters.fraction_bits_z, parameters.fraction_bits_z},
                 memory, free_list, polygons, tally, events};
   SampleList sample_list{wiring, parameters.segment_blocks};
+  FrameCoherence coherence{wiring, frame.edges, parameters.frame_coherence};
   XSort x_sort{wiring};
   ActiveList active{wiring};
   ImpliedEdges implied{wiring, x_sort, sample_list};
-  SegmentGenerator segment_generator{wiring, edges, sample_list};
+  SegmentGenerator segment_generator{wiring, edges, sample_list, coherence};
   SegmentEliminator segment_eliminator{wiring, x_sort};
-  SampleSpaceGenerator sample_space{wiring, sample_list};
+  SampleSpaceGenerator sample_space{wiring, sample_list, coherence};
   DepthComparator comparator{wiring, x_sort, active, sample_space};
   FrameAnswer answer;
-  DecisionProcessor decision{wiring, comparator, active, sample_space, sample_list, implied, answer.segments};
+  DecisionProcessor decision{wiring, comparator, active, sample_space, sample_list, implied, coherence, answer.segments};
 };
 
 Processor::Processor(const Parameters& parameters, const FrameBlocks& frame, EventSink events)
@@ -85,6 +86,7 @@ void Processor::step_line() {
   m.recorder.line_started(m.tally);
   m.x_sort.start_line();
   m.sample_list.start_line();
+  m.coherence.start_line();
   m.segment_generator.run();
   m.segment_eliminator.run();
 
@@ -116,6 +118,7 @@ FrameAnswer Processor::answer() const {
   FrameAnswer answer = machine_->answer;
   StatisticsRecorder recorder = machine_->recorder;
   complete_answer(answer, machine_->tally, recorder.finish(machine_->tally, machine_->frame.height), machine_->parameters);
+  answer.edges_visible = machine_->coherence.edges_visible();
   answer.port_accesses = machine_->memory.accesses();
   return answer;
 }

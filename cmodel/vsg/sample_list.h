@@ -19,6 +19,7 @@ struct SampleAddress {
 struct SamplePoint {
   std::int64_t pixel = 0;
   SampleAddress address;
+  std::uint32_t edge = 0;  ///< with frame coherence, the edge block; 0 for an implied edge
 };
 
 class SampleList {

@@ -2,6 +2,7 @@
 // rtl/vsg/sample_space_generator.sv
 #pragma once
 
+#include "cmodel/vsg/frame_coherence.h"
 #include "cmodel/vsg/sample_list.h"
 #include "cmodel/vsg/wiring.h"
 
@@ -15,7 +16,8 @@ struct SampleSpan {
 
 class SampleSpaceGenerator {
  public:
-  SampleSpaceGenerator(Wiring& wiring, SampleList& samples) : w_(wiring), samples_(samples) {}
+  SampleSpaceGenerator(Wiring& wiring, SampleList& samples, FrameCoherence& coherence)
+      : w_(wiring), samples_(samples), coherence_(coherence) {}
 
   void start_line() {
     span.right = 1;  // the left border of the screen
@@ -26,7 +28,7 @@ class SampleSpaceGenerator {
     span.left = span.right + 1;
     span.at_left = span.at_right;
     span.at_right.pixel = 0;
-    span.right = samples_.read(span.left);
+    span.right = coherence_.nearer(span.left, samples_.read(span.left));
   }
   bool line_finished() const { return span.right == w_.width; }
 
@@ -35,6 +37,7 @@ class SampleSpaceGenerator {
  private:
   Wiring& w_;
   SampleList& samples_;
+  FrameCoherence& coherence_;
 };
 
 }  // namespace vsg

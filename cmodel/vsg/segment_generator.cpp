@@ -9,6 +9,7 @@ void SegmentGenerator::run() {
     ++w_.tally.q[q::kSlopes];
     const EdgeBlock& edge = edges_.edge(number);
     if (!w_.inside(w_.x_format.integer(edge.x))) w_.out_of_frame();
+    if (edge.visible_before) coherence_.entered(w_.x_format.integer(edge.x));
     enter(number, edge.second_polygon);
     enter(number, edge.first_polygon);
   }
@@ -23,7 +24,7 @@ void SegmentGenerator::enter(std::uint32_t number, std::uint32_t polygon_number)
   w_.polygons.mark_changing(polygon);
   const EdgeBlock& edge = edges_.edge(number);
   if (w_.events) w_.events({EventKind::kEdgeTaken, w_.line, {number, polygon, edge.x}});
-  lists_.insert(edge, polygon);
+  lists_.insert(edge, number, polygon);
 }
 
 }  // namespace vsg

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cmodel/vsg/edge_memory.h"
+#include "cmodel/vsg/frame_coherence.h"
 #include "cmodel/vsg/polygon_segment_lists.h"
 #include "cmodel/vsg/wiring.h"
 
@@ -10,8 +11,8 @@ namespace vsg {
 
 class SegmentGenerator {
  public:
-  SegmentGenerator(Wiring& wiring, const EdgeMemory& edges, SampleList& samples)
-      : w_(wiring), edges_(edges), lists_(wiring, samples) {}
+  SegmentGenerator(Wiring& wiring, const EdgeMemory& edges, SampleList& samples, FrameCoherence& coherence)
+      : w_(wiring), edges_(edges), lists_(wiring, samples), coherence_(coherence) {}
   void run();
 
  private:
@@ -20,6 +21,7 @@ class SegmentGenerator {
   Wiring& w_;
   const EdgeMemory& edges_;
   PolygonSegmentLists lists_;
+  FrameCoherence& coherence_;
 };
 
 }  // namespace vsg

@@ -20,6 +20,7 @@ constexpr SegmentPointer kNotSorted = -1;
 struct SegmentEdge {
   std::int64_t x = 0, dx = 0;  ///< fixed point, format of X
   std::int64_t z = 0, dz = 0;  ///< fixed point, format of Z
+  std::uint32_t edge = 0;      ///< number of the edge block, kept for frame coherence alone (chapter IV)
 };
 
 /// An implied edge is a block as well: the intersection's X is in `left`, the two segments that make it are
