@@ -306,7 +306,7 @@ module vsg (
     case (state_q)
       StIdle: begin
         line_d = '0;
-        if (run_i && !loading_o) begin
+        if (run_i && !loading_o && block_error == vsg_pkg::ErrorNone) begin
           line_d[0] = 1'b1;
           state_d   = StLine;
         end
