@@ -10,9 +10,11 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
+#include <deque>
 #include <fstream>
+#include <mutex>
+#include <string>
 #include <utility>
 
 #include "program/refuse.h"
@@ -26,18 +28,24 @@ namespace fs = std::filesystem;
 constexpr int kSlots = 1024;
 std::array<std::atomic<const char*>, kSlots> g_partial_files{};
 
+// Keeps a name for the rest of the run: a signal handler might be reading it whenever it comes.
+const char* keep(const fs::path& path) {
+  static std::mutex mutex;
+  static auto& names = *new std::deque<std::string>;
+  const std::lock_guard lock(mutex);
+  return names.emplace_back(path.string()).c_str();
+}
+
 int remember(const fs::path& path) {
-  char* name = ::strdup(path.c_str());
+  const char* name = keep(path);
   for (int i = 0; i < kSlots; ++i) {
     const char* free = nullptr;
     if (g_partial_files[i].compare_exchange_strong(free, name)) return i;
   }
-  std::free(name);
   return -1;  // more files at once than slots: this one is left behind by a signal
 }
 
 void forget(int slot) {
-  // The string is not freed: a signal handler might be reading it.
   if (slot >= 0) g_partial_files[slot].store(nullptr);
 }
 
