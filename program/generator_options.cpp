@@ -36,6 +36,9 @@ void check_generator_options(const GeneratorOptions& options) {
   if (options.lockstep && options.vsg != "rtl") {
     refuse("--lockstep compares the RTL with the golden model: it needs --vsg rtl");
   }
+  if (options.frame_coherence && options.vsg != "model") {
+    refuse("--frame-coherence is an option of the golden model, the RTL has none: it needs --vsg model");
+  }
   if (!options.trace.empty() && options.vsg != "rtl") {
     refuse("--trace writes the waveform of the RTL: it needs --vsg rtl");
   }
@@ -55,8 +58,13 @@ std::unique_ptr<scanline::VisibleSegmentGenerator> make_generator(const Generato
 
 vsg::FrameAnswer generate(scanline::VisibleSegmentGenerator& generator, const scanline::Frame& frame,
                           const std::string& name, bool keep_back_faces, const vsg::EventSink& events) {
+  return generate(generator, scanline::make_blocks(frame, generator.parameters(), keep_back_faces), name, events);
+}
+
+vsg::FrameAnswer generate(scanline::VisibleSegmentGenerator& generator, const vsg::FrameBlocks& blocks,
+                          const std::string& name, const vsg::EventSink& events) {
   try {
-    return generator.generate(scanline::make_blocks(frame, generator.parameters(), keep_back_faces), events);
+    return generator.generate(blocks, events);
   } catch (const vsg::FrameError& stop) {
     refuse(stop.what(), name);
   }

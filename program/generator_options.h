@@ -18,6 +18,7 @@ struct GeneratorOptions {
   bool lockstep = false;  ///< the golden model beside the RTL
   std::string trace;      ///< waveform file, or empty
   std::string replay;     ///< the command line that repeats the run
+  bool frame_coherence = false;  ///< use what was visible in the frame before (chapter IV; golden model)
 };
 
 /// Adds --vsg and --lockstep. `preferred` is what the command would rather use; a program without RTL has the model.
@@ -30,7 +31,12 @@ void check_generator_options(const GeneratorOptions& options);
 std::unique_ptr<scanline::VisibleSegmentGenerator> make_generator(const GeneratorOptions& options,
                                                                   const vsg::Parameters& parameters);
 
-/// Works a frame that `name` (a file) describes; what stops the processor becomes a scanline::UserError that names it.
+/// Works the blocks of a frame that `name` (a file) describes; what stops the processor becomes a scanline::UserError
+/// that names it.
+vsg::FrameAnswer generate(scanline::VisibleSegmentGenerator& generator, const vsg::FrameBlocks& blocks,
+                          const std::string& name, const vsg::EventSink& events = {});
+
+/// Makes the blocks of a frame that `name` (a file) describes; what stops the processor becomes a scanline::UserError that names it.
 vsg::FrameAnswer generate(scanline::VisibleSegmentGenerator& generator, const scanline::Frame& frame,
                           const std::string& name, bool keep_back_faces, const vsg::EventSink& events = {});
 

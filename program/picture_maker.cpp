@@ -38,7 +38,8 @@ void shade(scanline::Picture& picture, const scanline::ShaderStage& stage, const
 }  // namespace
 
 MadePicture make_picture(const scanline::Scene& scene, const std::string& scene_file, double moment,
-                         const PictureOptions& options, std::function<void(int)> on_line) {
+                         const PictureOptions& options, std::function<void(int)> on_line,
+                         scanline::EdgeHistory* history) {
   MadePicture made(scene.width, scene.height);
   const int width = scene.width * options.samples, height = scene.height * options.samples;
   Stopwatch watch;
@@ -50,9 +51,14 @@ MadePicture make_picture(const scanline::Scene& scene, const std::string& scene_
   std::optional<scanline::WorkRecorder> recorder;
   if (options.show) recorder.emplace(*options.show, width, height);
   {
-    const auto generator = make_generator(options.generator, {});
+    vsg::Parameters parameters;
+    parameters.frame_coherence = history != nullptr;
+    const auto generator = make_generator(options.generator, parameters);
     generator->on_line = std::move(on_line);
-    made.answer = generate(*generator, frame.frame, scene_file, false, recorder ? recorder->sink() : vsg::EventSink());
+    vsg::FrameBlocks blocks = scanline::make_blocks(frame.frame, generator->parameters(), false);
+    if (history != nullptr) history->mark(frame, blocks);
+    made.answer = generate(*generator, blocks, scene_file, recorder ? recorder->sink() : vsg::EventSink());
+    if (history != nullptr) history->remember(frame, blocks, made.answer);
   }
   made.times.visible_segments = watch.lap();
 

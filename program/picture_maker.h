@@ -6,6 +6,7 @@
 #include <string>
 
 #include "program/generator_options.h"
+#include "scanline/edge_history.h"
 #include "scanline/picture.h"
 #include "scanline/scene.h"
 #include "scanline/show.h"
@@ -36,7 +37,9 @@ struct MadePicture {
 
 /// `scene_file` is named in messages. `on_line` is called after each scan line. Throws scanline::UserError,
 /// vsg::LockstepError.
+/// `history`, for frame coherence: what is known of the frame before, and then of this one.
 MadePicture make_picture(const scanline::Scene& scene, const std::string& scene_file, double moment,
-                         const PictureOptions& options, std::function<void(int)> on_line);
+                         const PictureOptions& options, std::function<void(int)> on_line,
+                         scanline::EdgeHistory* history = nullptr);
 
 }  // namespace program

@@ -67,6 +67,9 @@ void check_options(const RenderOptions& options, const std::optional<Moments>& m
   if (moments && moments->count > 1 && !options.picture.generator.trace.empty()) {
     refuse("--trace writes the waveform of one frame: name one with --frames A-A");
   }
+  if (options.picture.generator.frame_coherence && !moments) {
+    refuse("--frame-coherence uses the frame before: it needs a sequence, --frames A-B");
+  }
   if (options.picture.channels && !options.show.empty()) refuse("--channels and --show exclude each other");
 }
 
@@ -80,6 +83,7 @@ nlohmann::ordered_json frame_statistics(int moment, const MadePicture& made, dou
   frame["intersections"] = made.answer.intersections;
   frame["stale_samples"] = made.answer.stale_samples;
   frame["unclosed_polygons"] = made.answer.unclosed_polygons;
+  frame["coherence_samples"] = made.answer.coherence_samples;
   add_rtl_counts(frame, made.answer);
   auto& references = frame["lines"]["references"] = nlohmann::ordered_json::array();
   for (const vsg::LineCounts& line : made.answer.lines) references.push_back(line.references);
@@ -94,7 +98,7 @@ nlohmann::ordered_json frame_statistics(int moment, const MadePicture& made, dou
 
 /// Makes and writes the picture of one moment.
 nlohmann::ordered_json render_frame(const RenderOptions& options, const scanline::Scene& scene, int moment,
-                                    Progress& progress, WarningPrinter& warnings) {
+                                    Progress& progress, WarningPrinter& warnings, scanline::EdgeHistory* history) {
   OutputFile image(image_name(options, moment));
   PictureOptions picture_options = options.picture;
   std::optional<OutputFile> trace;
@@ -104,7 +108,7 @@ nlohmann::ordered_json render_frame(const RenderOptions& options, const scanline
   }
   const MadePicture made = [&] {
     try {
-      return make_picture(scene, options.scene.file, moment, picture_options, [&](int) { progress.advance(); });
+      return make_picture(scene, options.scene.file, moment, picture_options, [&](int) { progress.advance(); }, history);
     } catch (const vsg::LockstepError&) {
       if (trace) trace->commit();  // the waveform up to the mismatch is what it was asked for
       throw;
@@ -136,14 +140,19 @@ void run_render(RenderOptions options) {
   check_picture_size(scene.width * samples, scene.height * samples);
 
   const Moments moments = sequence.value_or(Moments{scene.first_frame, 1});
-  const int frame_threads = std::min(options.picture.threads, moments.count);
+  // With coherence each frame waits for what the one before found.
+  std::optional<scanline::EdgeHistory> history;
+  if (options.picture.generator.frame_coherence) history.emplace();
+  const int frame_threads = history ? 1 : std::min(options.picture.threads, moments.count);
   options.picture.threads /= frame_threads;
   std::vector<nlohmann::ordered_json> statistics(moments.count);
   WarningPrinter warnings(options.scene.quiet);
   {
     Progress progress("lines", moments.count * (scene.height * samples + 1), options.scene.quiet);
     for_each_index(moments.count, frame_threads,
-                   [&](int i) { statistics[i] = render_frame(options, scene, moments.first + i, progress, warnings); });
+                   [&](int i) {
+      statistics[i] = render_frame(options, scene, moments.first + i, progress, warnings, history ? &*history : nullptr);
+    });
   }
   if (stats) {
     nlohmann::ordered_json all;
@@ -190,6 +199,10 @@ void add_render(CLI::App& app, const std::string& command_line) {
 
   add_generator_options(*command, options->picture.generator, "rtl");
   options->picture.generator.replay = command_line;
+  command
+      ->add_flag("--frame-coherence", options->picture.generator.frame_coherence,
+                 "In a sequence, sample at edges that were visible in the frame before (golden model)")
+      ->group("Machine");
   command->add_option("--trace", options->picture.generator.trace, "Write the waveform of the RTL")
       ->type_name("FILE.fst")
       ->group("Machine");
