@@ -37,7 +37,6 @@ void ListsSurroundings::serve() {
   }
   if (bench_->polygon_take_o) taken_polygon_ = machine_->polygons.take_changing();
   if (bench_->eliminator_done_o) taken_polygon_ = 0;
-  bench_->sort_done_i = 0;
   if (bench_->sort_o) sort();
 }
 
@@ -72,6 +71,7 @@ void ListsSurroundings::show() {
   vsg::PolygonMemory polygons = machine_->polygons;
   bench_->changing_i = port(polygons.take_changing());
   if (taken_polygon_ != 0) bench_->first_segment_i = port(machine_->polygons.first_segment(taken_polygon_));
+  bench_->sort_done_i = 0;
   if (sort_wait_ >= 0) {
     bench_->sort_done_i = sort_wait_ == 0;
     bench_->sort_previous_i = port(sort_wait_ == 0 ? links_.x_previous : 0);
