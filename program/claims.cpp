@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kMemoryCycle = 200e-9;  // seconds a segment reference (chapter VII.D)
 constexpr std::size_t kPolygonsOfACube = 6;
+constexpr int kFramesOfSequence = 8;         // of scenes/sequence.toml
 constexpr int kAllReferences = 15;  // PQ(15): references to every list and block
 
 double frames_a_second(const vsg::FrameAnswer& answer) {
@@ -61,6 +62,23 @@ Measures measure_all(SceneMeter& meter, double warnock_accesses) {
       ratio(cube1.counters.segment_references, single.counters.segment_references);
   m[{"cube1_over_single_cube", "all_references"}] =
       ratio(cube1.statistics.pq[kAllReferences], single.statistics.pq[kAllReferences]);
+
+  // The first frame of a sequence has none before it: it is left out of what is compared.
+  const auto saved = [&meter](const std::string& scene, int last) {
+    const std::int64_t first = meter.sequence_references(scene, 1, 1, false);
+    const std::int64_t without = meter.sequence_references(scene, 1, last, false) - first;
+    const std::int64_t with = meter.sequence_references(scene, 1, last, true) - first;
+    return std::pair(without - with, without);
+  };
+  const auto [moving_saved, moving_all] = saved("sequence", kFramesOfSequence);
+  m[{"frame_coherence_moving", "percent_references_saved"}] = 100 * ratio(moving_saved, moving_all);
+  std::int64_t still_saved = 0, still_all = 0;
+  for (const std::string& name : ten_objects()) {
+    const auto [object_saved, object_all] = saved("watkins/" + name, 2);
+    still_saved += object_saved;
+    still_all += object_all;
+  }
+  m[{"frame_coherence_still", "percent_references_saved"}] = 100 * ratio(still_saved, still_all);
 
   const auto e_s = static_cast<double>(answers.at("e_s").counters.segment_references);
   m[{"e_s", "segment_references"}] = e_s;

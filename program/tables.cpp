@@ -9,6 +9,8 @@
 #include "program/commands.h"
 #include "program/generator_options.h"
 #include "program/refuse.h"
+#include "scanline/edge_history.h"
+#include "scanline/golden_generator.h"
 #include "scanline/scene_frame.h"
 
 namespace program {
@@ -43,6 +45,24 @@ vsg::FrameAnswer SceneMeter::measure_part(const std::string& scene, std::size_t 
   scanline::Frame frame = frame_of(scene);
   if (polygons < frame.polygons.size()) frame.polygons.resize(polygons);
   return work(frame, scene);
+}
+
+std::int64_t SceneMeter::sequence_references(const std::string& scene, int first, int last, bool coherence) const {
+  const scanline::Scene read = scanline::read_scene_file(data_ / "scenes" / (scene + ".toml"));
+  vsg::Parameters parameters;
+  parameters.frame_coherence = coherence;
+  scanline::GoldenGenerator model(parameters);
+  scanline::EdgeHistory history;
+  std::int64_t references = 0;
+  for (int moment = first; moment <= last; ++moment) {
+    const scanline::SceneFrame frame = scanline::make_scene_frame(read, moment, read.width, read.height);
+    vsg::FrameBlocks blocks = scanline::make_blocks(frame.frame, parameters, false);
+    history.mark(frame, blocks);
+    const vsg::FrameAnswer answer = generate(model, blocks, scene);
+    history.remember(frame, blocks, answer);
+    references += answer.counters.segment_references;
+  }
+  return references;
 }
 
 nlohmann::json read_table_file(const std::filesystem::path& path) {

@@ -33,6 +33,10 @@ class SceneMeter {
   /// The same with the first `polygons` polygons of the scene alone.
   vsg::FrameAnswer measure_part(const std::string& scene, std::size_t polygons);
 
+  /// Segment references of frames `first` to `last` of a scene's sequence, by the golden model, with and without
+  /// frame-to-frame coherence. A scene without a sequence stands still.
+  std::int64_t sequence_references(const std::string& scene, int first, int last, bool coherence) const;
+
  private:
   scanline::Frame frame_of(const std::string& scene) const;
   vsg::FrameAnswer work(const scanline::Frame& frame, const std::string& scene);
