@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <ostream>
 
 #include "scanline/frame.h"
 
@@ -15,5 +16,11 @@ scanline::Frame random_frame(FrameKind kind, std::uint64_t seed, int size, int p
 
 /// Boxes alone are solids; the other kinds are seen from both sides.
 inline bool keeps_back_faces(FrameKind kind) { return kind != FrameKind::kBoxes; }
+
+/// For the names of tests.
+inline void PrintTo(FrameKind kind, std::ostream* out) {
+  static constexpr const char* kNames[] = {"triangles", "boxes", "sheets", "stars"};
+  *out << kNames[static_cast<int>(kind)];
+}
 
 }  // namespace truth
