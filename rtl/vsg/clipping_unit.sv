@@ -153,14 +153,15 @@ module clipping_unit (
     .box_o(grown)
   );
 
-  // --- figure 21: X of both ends, Z of the new line less Z of the old at both
+  // --- figure 21
 
-  vsg_pkg::x_t sx_left_d, sx_left_q, sx_right_d, sx_right_q, sx_extent_d, sx_extent_q;
-  logic signed [vsg_pkg::ZW:0] sz_left_d, sz_left_q, sz_right_d, sz_right_q;
-  logic signed [vsg_pkg::XW:0] sx_sum;
-  logic signed [vsg_pkg::ZW+1:0] sz_sum;
-  assign sx_sum = {sx_left_q[vsg_pkg::XW-1], sx_left_q} + {sx_right_q[vsg_pkg::XW-1], sx_right_q};
-  assign sz_sum = {sz_left_q[vsg_pkg::ZW], sz_left_q} + {sz_right_q[vsg_pkg::ZW], sz_right_q};
+  logic search_load, search_step, search_finished;
+  crossing_search u_search (
+    .clk_i, .rst_ni, .load_i(search_load), .x_left_i(left_clip_q), .x_right_i(right_clip_q),
+    .z_left_i({nl_min[vsg_pkg::ZW-1], nl_min} - {ol_min[vsg_pkg::ZW-1], ol_min}),
+    .z_right_i({nr_min[vsg_pkg::ZW-1], nr_min} - {or_min[vsg_pkg::ZW-1], or_min}),
+    .step_i(search_step), .finished_o(search_finished), .crossing_o
+  );
 
   logic replaces;
   vsg_pkg::box_t replaced;
@@ -200,13 +201,10 @@ module clipping_unit (
     ol_d         = ol_q;
     nr_d         = nr_q;
     or_d         = or_q;
-    sx_left_d    = sx_left_q;
-    sx_right_d   = sx_right_q;
-    sx_extent_d  = sx_extent_q;
-    sz_left_d    = sz_left_q;
-    sz_right_d   = sz_right_q;
     load         = 1'b0;
     step         = 1'b0;
+    search_load  = 1'b0;
+    search_step  = 1'b0;
     replaces     = 1'b0;
     case (state_q)
       StIdle: begin
@@ -268,27 +266,13 @@ module clipping_unit (
       end
       StSearchLoad: begin
         box_d.segments = box_q.segments + 1'b1;
-        sx_left_d   = left_clip_q;
-        sx_right_d  = right_clip_q;
-        sx_extent_d = right_clip_q - left_clip_q;
-        sz_left_d   = {nl_min[vsg_pkg::ZW-1], nl_min} - {ol_min[vsg_pkg::ZW-1], ol_min};
-        sz_right_d  = {nr_min[vsg_pkg::ZW-1], nr_min} - {or_min[vsg_pkg::ZW-1], or_min};
-        state_d     = StSearch;
+        search_load    = 1'b1;
+        state_d        = StSearch;
       end
       StSearch: begin
-        if (sx_extent_q == '0) begin
-          state_d = StDone;
-        end else begin
-          add_cycles_d = add_cycles_q + 1'b1;
-          sx_extent_d  = sx_extent_q >>> 1;
-          if (sz_sum[vsg_pkg::ZW+1] == sz_left_q[vsg_pkg::ZW]) begin
-            sx_left_d = sx_sum[vsg_pkg::XW:1];
-            sz_left_d = sz_sum[vsg_pkg::ZW+1:1];
-          end else begin
-            sx_right_d = sx_sum[vsg_pkg::XW:1];
-            sz_right_d = sz_sum[vsg_pkg::ZW+1:1];
-          end
-        end
+        search_step  = !search_finished;
+        add_cycles_d = search_finished ? add_cycles_q : add_cycles_q + 1'b1;
+        if (search_finished) state_d = StDone;
       end
       StDone: state_d = StIdle;
       default: state_d = StIdle;
@@ -326,11 +310,6 @@ module clipping_unit (
       left_clip_q  <= '0;
       right_clip_q <= '0;
       {nl_q, ol_q, nr_q, or_q} <= '0;
-      sx_left_q    <= '0;
-      sx_right_q   <= '0;
-      sx_extent_q  <= '0;
-      sz_left_q    <= '0;
-      sz_right_q   <= '0;
     end else begin
       state_q      <= state_d;
       candidate_q  <= candidate_d;
@@ -344,18 +323,12 @@ module clipping_unit (
       left_clip_q  <= left_clip_d;
       right_clip_q <= right_clip_d;
       {nl_q, ol_q, nr_q, or_q} <= {nl_d, ol_d, nr_d, or_d};
-      sx_left_q    <= sx_left_d;
-      sx_right_q   <= sx_right_d;
-      sx_extent_q  <= sx_extent_d;
-      sz_left_q    <= sz_left_d;
-      sz_right_q   <= sz_right_d;
     end
   end
 
   assign done_o       = (state_q == StDone);
   assign box_o        = box_q;
   assign add_cycles_o = add_cycles_q;
-  assign crossing_o   = sx_left_q;
 
   always_comb begin
     trace_o              = '0;

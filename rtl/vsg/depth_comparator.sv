@@ -1,7 +1,6 @@
 // Depth Comparator (chapter III.F): runs through the segments of a span, first those of the active list, then those of the
-// X-sort list whose left edge lies in the span. A segment from the X-sort list is stepped to this scan line, put into the
-// X-sort list of the next one, and its polygon is marked when an edge ends. Each segment present in the span is tried
-// against the visible box by the clipping unit. On demand it runs the two segments of the box again to find where they
+// X-sort list whose left edge lies in the span, which the segment stepper brings to this scan line. Each segment present in
+// the span is tried against the visible box by the clipping unit. On demand it runs the two segments of the box again to find where they
 // cross.
 //
 // Latency: about 4 cycles a segment of the active list, 6 a segment of the X-sort list, and the test. Refuses: an edge
@@ -70,11 +69,7 @@ module depth_comparator (
     StActiveEnd,     // it ends in the span
     StSorted,        // is there a segment in the X-sort list?
     StSortedWord,
-    StStep,          // block_q holds the segment of this line
-    StInsert,        // into the X-sort list of the next line
-    StPolygon,       // an edge ends: the polygon's word
-    StMark,
-    StStepWrite,
+    StStep,          // the segment stepper works
     StTest,          // load the clipping unit
     StTestWait,
     StAccount,
@@ -110,16 +105,30 @@ module depth_comparator (
   assign left_lives  = block_q.left_lines[vsg_pkg::CoordW+1];
   assign right_lives = block_q.right_lines[vsg_pkg::CoordW+1];
 
-  // An implied edge stays only when it made the left end of this span.
-  logic implied_stays;
-  assign implied_stays = (left + 1'b1 == span_left) && vsg_pkg::inside_frame(next_left, width_i);
-
   vsg_pkg::pixel_t front_pixel;
   assign front_pixel = vsg_pkg::next_pixel(word_i.left.x, word_i.left.dx);
 
   logic signed [vsg_pkg::IntegerBits:0] span_middle;
   assign span_middle = {span_left[vsg_pkg::IntegerBits-1], span_left} + {span_right[vsg_pkg::IntegerBits-1], span_right};
   localparam logic [vsg_pkg::BoxW-1:0] Two = 2;
+
+  // --- segment stepper
+  logic step_start, step_done, step_present, step_error, step_set_left, step_add, step_add_ending;
+  vsg_pkg::segment_t stepped;
+  vsg_pkg::sample_point_t step_left_point;
+  vsg_pkg::memory_request_t step_request;
+  vsg_pkg::count_t step_count;
+
+  segment_stepper u_segment_stepper (
+    .clk_i, .rst_ni, .frame_start_i, .width_i, .span_left_i(span_left), .span_right_i(span_right),
+    .start_i(step_start), .at_i(at_q), .word_i, .done_o(step_done),
+    .present_o(step_present), .block_o(stepped), .error_o(step_error), .set_left_o(step_set_left),
+    .left_point_o(step_left_point), .sort_next_o, .sort_pixel_o, .sort_next_done_i, .sort_previous_i, .sort_following_i,
+    .polygon_read_o, .polygon_o, .polygon_mark_o, .polygon_active_i, .active_add_o(step_add),
+    .active_add_ending_o(step_add_ending), .active_link_i, .return_o, .request_o(step_request), .count_o(step_count)
+  );
+  assign sort_block_o = at_q;
+  assign returned_o   = at_q;
 
   // --- clipping unit
   logic clear_box, start, test_done, account;
@@ -173,17 +182,10 @@ module depth_comparator (
     active_block_o      = at_q;
     pop_o               = 1'b0;
     pop_next_o          = word_i.x_next;
-    sort_next_o         = 1'b0;
-    sort_block_o        = at_q;
-    sort_pixel_o        = next_left;
-    return_o            = 1'b0;
-    returned_o          = at_q;
-    polygon_read_o      = 1'b0;
-    polygon_o           = block_q.polygon[vsg_pkg::PolyW-1:0];
-    polygon_mark_o      = 1'b0;
     request_o           = '0;
     count_o             = '0;
     clear_box           = 1'b0;
+    step_start          = 1'b0;
     start               = 1'b0;
     account             = 1'b0;
     case (state_q)
@@ -260,85 +262,26 @@ module depth_comparator (
           sort_done_o = 1'b1;
           state_d     = StIdle;
         end else begin
-          from_x_sort_d       = 1'b1;
-          pop_o               = 1'b1;
-          count_o.intercepts  = 1'b1;
-          block_d             = word_i;
-          block_d.left.x      = word_i.left.x + word_i.left.dx;
-          block_d.right.x     = word_i.right.x + word_i.right.dx;
-          block_d.left.z      = word_i.left.z + word_i.left.dz;
-          block_d.right.z     = word_i.right.z + word_i.right.dz;
-          block_d.left_lines  = word_i.left_lines + 1'b1;
-          block_d.right_lines = word_i.right_lines + 1'b1;
-          state_d             = StStep;
+          from_x_sort_d = 1'b1;
+          pop_o         = 1'b1;
+          step_start    = 1'b1;
+          count_o       = step_count;
+          state_d       = StStep;
         end
       end
       StStep: begin
-        if (block_q.implied) begin
-          if (implied_stays) begin
-            set_left_o                 = 1'b1;
-            left_point_o.pixel         = next_left;
-            left_point_o.address.block = at_q;
-            sort_next_o                = 1'b1;
-            state_d                    = StInsert;
-          end else begin
-            return_o                = 1'b1;
-            count_o.blocks_returned = 1'b1;
-            state_d                 = StAccount;
-          end
-        end else begin
-          count_o.crossings  = 1'b1;
-          block_d.x_previous = vsg_pkg::NotSorted;
-          block_d.x_next     = '0;
-          if (!left_lives) begin
-            state_d = StPolygon;
-          end else if (vsg_pkg::inside_frame(next_left, width_i)) begin
-            sort_next_o = 1'b1;
-            state_d     = StInsert;
-          end else begin
-            error_d = vsg_pkg::ErrorOutOfFrame;
-            state_d = StIdle;
-          end
-        end
-      end
-      StInsert: begin
-        block_d.x_previous = sort_previous_i;
-        block_d.x_next     = sort_following_i;
-        if (sort_next_done_i) begin
-          state_d = (block_q.implied || (right_lives && vsg_pkg::inside_frame(next_right, width_i))) ? StStepWrite
-                                                                                                    : StPolygon;
-        end else begin
-          block_d = block_q;
-        end
-      end
-      StPolygon: begin
-        if (right_lives && !vsg_pkg::inside_frame(next_right, width_i)) begin
+        block_d        = stepped;
+        request_o      = step_request;
+        count_o        = step_count;
+        set_left_o     = step_set_left;
+        left_point_o   = step_left_point;
+        active_add_o        = step_add;
+        active_add_ending_o = step_add_ending;
+        if (step_error) begin
           error_d = vsg_pkg::ErrorOutOfFrame;
           state_d = StIdle;
-        end else begin
-          polygon_read_o = 1'b1;
-          state_d        = StMark;
-        end
-      end
-      StMark: begin
-        count_o.polygon_reads  = 1'b1;
-        count_o.polygon_writes = !polygon_active_i;
-        polygon_mark_o         = !polygon_active_i;
-        state_d                = StStepWrite;
-      end
-      StStepWrite: begin
-        request_o.valid = 1'b1;
-        request_o.block = at_q;
-        request_o.word  = block_q;
-        if (block_q.implied) begin
-          request_o.groups = vsg_pkg::GroupXPrevious | vsg_pkg::GroupXNext | vsg_pkg::GroupLeft;
-          state_d          = StAccount;
-        end else begin
-          request_o.groups    = vsg_pkg::GroupAll & ~(vsg_pkg::GroupPolygon | vsg_pkg::GroupPolygonNext);
-          active_add_ending_o = (left < right) && (right <= span_right);
-          active_add_o        = (left < right) && (right > span_right);
-          state_d             = (left < right) ? StTest : StAccount;
-          if (left < right) request_o.word.active_next = active_link_i;
+        end else if (step_done) begin
+          state_d = step_present ? StTest : StAccount;
         end
       end
 

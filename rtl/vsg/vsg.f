@@ -16,7 +16,9 @@ rtl/vsg/sample_space_generator.sv
 rtl/vsg/clip_quadrant.sv
 rtl/vsg/clip_verdict.sv
 rtl/vsg/box_growth.sv
+rtl/vsg/crossing_search.sv
 rtl/vsg/clipping_unit.sv
+rtl/vsg/segment_stepper.sv
 rtl/vsg/depth_comparator.sv
 rtl/vsg/decision_processor.sv
 rtl/vsg/tally.sv

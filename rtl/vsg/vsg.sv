@@ -5,6 +5,8 @@
 // A frame: frame_start_i with the size; polygon blocks, then edge blocks, are loaded in the order of their numbers; run_i;
 // visible segments leave through valid/ready; done_o. Frames up to 2^VSG_COORDINATE_BITS - 1 columns and lines.
 // Refuses: what error_o names. The machine then stops, and frame_start_i starts it again.
+//
+// Longer than a module should be: it holds nothing but the wiring of the blocks and the control of figure 10.
 
 module vsg (
   input  logic                       clk_i,
