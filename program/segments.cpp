@@ -12,8 +12,8 @@
 namespace program {
 namespace {
 
-// Fewer leave no slope; with more, products of the pre-frame arithmetic would not fit 64 bits.
-constexpr int kFewestFractionBits = 4, kMostFractionBits = 24;
+// Fewer leave no slope; with more, a word and the sum of two would come near the 64 bits that the model keeps them in.
+constexpr int kFewestFractionBits = 1, kMostFractionBits = 40;
 
 struct SegmentsOptions {
   std::string frame;
