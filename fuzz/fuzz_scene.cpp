@@ -1,5 +1,5 @@
-// A scene file of any bytes is refused with a UserError or becomes a frame that a frame file can hold. Files that it names
-// are looked for in an empty place.
+// A scene file of any bytes is refused with a UserError or becomes a frame that a frame file can hold. Files that it
+// names are looked for in an empty place.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -18,8 +18,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       for (const auto& polygon : object.mesh.polygons) corners += polygon.size();
     }
     if (corners > 100'000) return 0;  // larger ones only take longer
-    const scanline::SceneFrame made =
-        scanline::make_scene_frame(scene, scene.first_frame, scene.width, scene.height);
+    const scanline::SceneFrame made = scanline::make_scene_frame(scene, scene.first_frame, scene.width, scene.height);
     const scanline::Frame& frame = made.frame;
     if (made.polygons.size() != frame.polygons.size()) std::abort();
     for (const auto& v : frame.vertices) {

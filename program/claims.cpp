@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kMemoryCycle = 200e-9;  // seconds a segment reference (chapter VII.D)
 constexpr std::size_t kPolygonsOfACube = 6;
-constexpr int kFramesOfSequence = 8;         // of scenes/sequence.toml
-constexpr int kAllReferences = 15;  // PQ(15): references to every list and block
+constexpr int kFramesOfSequence = 8;  // of scenes/sequence.toml
+constexpr int kAllReferences = 15;    // PQ(15): references to every list and block
 
 double frames_a_second(const vsg::FrameAnswer& answer) {
   const auto references = static_cast<double>(answer.counters.segment_references);
