@@ -11,6 +11,6 @@ void add_render(CLI::App& app, const std::string& command_line);
 void add_frame(CLI::App& app);
 void add_segments(CLI::App& app, const std::string& command_line);
 void add_explain(CLI::App& app, const std::string& command_line);
-void add_tables(CLI::App& app);
+void add_tables(CLI::App& app, const std::string& command_line);
 
 }  // namespace program

@@ -53,7 +53,7 @@ int main(int argc, char** argv) {
   program::add_frame(app);
   program::add_segments(app, command_line);
   program::add_explain(app, command_line);
-  program::add_tables(app);
+  program::add_tables(app, command_line);
 
   program::remove_partial_files_on_signals();
   try {

@@ -1,13 +1,13 @@
 #include "program/tables.h"
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <memory>
 
 #include "program/commands.h"
 #include "program/generator_options.h"
+#include "program/output_file.h"
 #include "program/refuse.h"
 #include "scanline/edge_history.h"
 #include "scanline/golden_generator.h"
@@ -80,7 +80,7 @@ void run_tables(const std::string& name, bool json, SceneMeter& meter) {
   const std::string text = json              ? table_json(table).dump(1) + "\n"
                            : name == "fig33" ? figure33_text(table)
                                              : table_text(table);
-  std::fputs(text.c_str(), stdout);
+  write_standard_output(text);
 }
 
 namespace {
@@ -93,7 +93,7 @@ struct TablesOptions {
 
 }  // namespace
 
-void add_tables(CLI::App& app) {
+void add_tables(CLI::App& app, const std::string& command_line) {
   CLI::App* command = app.add_subcommand("tables", "Published figures beside measured ones, row by row");
   const auto options = std::make_shared<TablesOptions>();
   command->add_option("name", options->name, "fig32, fig33: figures of the thesis; claims: statements of its text")
@@ -107,6 +107,7 @@ void add_tables(CLI::App& app) {
       ->type_name("FOLDER")
       ->group("Input");
   add_generator_options(*command, options->generator, "rtl");
+  options->generator.replay = command_line;
   command->callback([options] {
     const auto generator = make_generator(options->generator, {});
     SceneMeter meter(data_folder(options->data), *generator);

@@ -20,8 +20,7 @@ struct Answer {
   std::string text;
 };
 
-Answer run(const std::string& arguments) {
-  const std::string command = std::string(VSG_PROGRAM) + " tables " + arguments + " 2>&1";
+Answer run_command(const std::string& command) {
   Answer result;
   FILE* pipe = popen(command.c_str(), "r");
   if (!pipe) return result;
@@ -30,6 +29,10 @@ Answer run(const std::string& arguments) {
   const int status = pclose(pipe);
   result.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   return result;
+}
+
+Answer run(const std::string& arguments) {
+  return run_command(std::string(VSG_PROGRAM) + " tables " + arguments + " 2>&1");
 }
 
 // The cells of a table as the program measures them with the golden model; once a table.
@@ -141,6 +144,17 @@ TEST(Claims, MeasuredOnTheTenObjects) {
   EXPECT_EQ(measured("segment_reordering", "percent_appended_most"), 100);
   EXPECT_LE(measured("segment_blocks", "most"), 51);
   EXPECT_GT(measured("church", "frames_a_second"), 0);
+}
+
+TEST(Tables, AFullStandardOutputIsAnError) {
+  if (!std::ifstream("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  for (const char* form : {"fig32 --json", "fig32"}) {
+    // Standard error goes to the pipe before standard output goes to the device.
+    const std::string command = std::string(VSG_PROGRAM) + " tables " + form + " --vsg model 2>&1 > /dev/full";
+    const Answer answer = run_command(command);
+    EXPECT_EQ(answer.status, 1) << form;
+    EXPECT_NE(answer.text.find("standard output: error: cannot write"), std::string::npos) << answer.text;
+  }
 }
 
 TEST(Tables, UnknownNamesAndFoldersAreRefused) {
