@@ -78,7 +78,7 @@ Table figure33(SceneMeter& meter) {
       table.cells.push_back({.name = name,
                              .column = kCycles,
                              .published = {},
-                             .confidence = "none",
+                             .confidence = {},
                              .measured = static_cast<double>(*answer.cycles),
                              .note = "clock cycles of the RTL"});
     }

@@ -13,6 +13,11 @@ nlohmann::ordered_json number_json(std::optional<double> value) {
   return std::round(*value * 1e4) / 1e4;
 }
 
+nlohmann::ordered_json text_or_null(const std::string& text) {
+  if (text.empty()) return nullptr;
+  return text;
+}
+
 }  // namespace
 
 std::optional<double> Cell::ratio() const {
@@ -37,7 +42,7 @@ nlohmann::ordered_json table_json(const Table& table) {
     nlohmann::ordered_json row{{"name", cell.name},
                                {"column", cell.column},
                                {"published", number_json(cell.published)},
-                               {"confidence", cell.confidence},
+                               {"confidence", text_or_null(cell.confidence)},
                                {"measured", number_json(cell.measured)},
                                {"ratio", number_json(cell.ratio())}};
     if (!cell.note.empty()) row["note"] = cell.note;

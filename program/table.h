@@ -11,7 +11,8 @@ namespace program {
 struct Cell {
   std::string name, column;
   std::optional<double> published;
-  std::string confidence;  ///< "certain", "likely" or "unreadable": how well the print can be read
+  std::string confidence;  ///< "certain", "likely" or "unreadable": how well the print can be read; empty where the
+                           ///< source has no such cell
   std::optional<double> measured;
   std::string note;
 

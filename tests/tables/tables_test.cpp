@@ -20,6 +20,7 @@ struct Answer {
   std::string text;
 };
 
+// Through a shell; the text is what reaches the pipe.
 Answer run_command(const std::string& command) {
   Answer result;
   FILE* pipe = popen(command.c_str(), "r");
@@ -35,12 +36,12 @@ Answer run(const std::string& arguments) {
   return run_command(std::string(VSG_PROGRAM) + " tables " + arguments + " 2>&1");
 }
 
-// The cells of a table as the program measures them with the golden model; once a table.
-const std::map<Key, json>& cells(const std::string& table) {
+// The cells of a table as the program measures them; once a table and machine.
+const std::map<Key, json>& cells(const std::string& table, const std::string& machine = "model") {
   static std::map<std::string, std::map<Key, json>> tables;
-  auto& known = tables[table];
+  auto& known = tables[table + " " + machine];
   if (known.empty()) {
-    const Answer answer = run(table + " --json --vsg model");
+    const Answer answer = run(table + " --json --vsg " + machine);
     EXPECT_EQ(answer.status, 0) << answer.text;
     const json parsed = json::parse(answer.text);
     for (const json& row : parsed.at("rows")) known[{row.at("name"), row.at("column")}] = row;
@@ -123,6 +124,47 @@ TEST(Figure33, PolygonsEdgesAndCrossingsComeOut) {
   const int simple2 = cells("fig33").at({"simple2", "edge_crossings"}).at("measured");
   EXPECT_TRUE(simple2 >= 6664 && simple2 <= 6692) << "the range that its rows 8 and 9 leave";
 }
+
+TEST(Figure33, WithoutTheRtlThereAreNoCycles) {
+  int seen = 0;
+  for (const auto& [key, row] : cells("fig33")) {
+    EXPECT_NE(key.second, "cycles") << key.first;
+    EXPECT_TRUE(row.at("confidence").is_string()) << key.first << " " << key.second;
+    ++seen;
+  }
+  EXPECT_EQ(seen, 10 * 15);
+}
+
+#ifdef VSG_HAVE_RTL
+// Takes the RTL through the ten objects: a test of its own, labelled slow.
+TEST(Figure33ByTheRtl, AddsClockCyclesAndNothingElse) {
+  const auto& rtl = cells("fig33", "rtl");
+  for (const auto& [key, row] : cells("fig33")) EXPECT_EQ(rtl.at(key), row) << key.first << " " << key.second;
+
+  int objects = 0;
+  for (const auto& [key, row] : rtl) {
+    if (key.second != "cycles") continue;
+    EXPECT_TRUE(row.at("published").is_null()) << key.first;
+    EXPECT_TRUE(row.at("confidence").is_null()) << key.first;
+    EXPECT_TRUE(row.at("ratio").is_null()) << key.first;
+    // A reference to segment memory takes a clock cycle at least.
+    EXPECT_GT(row.at("measured"), rtl.at({key.first, "segment_references"}).at("measured")) << key.first;
+    ++objects;
+  }
+  EXPECT_EQ(objects, 10);
+  EXPECT_EQ(rtl.size(), cells("fig33").size() + 10);
+
+  // The same scene by hand, from its frame file.
+  const std::string frame = testing::TempDir() + "figure33-cube1.frame", program = VSG_PROGRAM;
+  const Answer written =
+      run_command(program + " frame " VSG_SOURCES "/scenes/watkins/cube1.toml --quiet -o '" + frame + "' 2>&1");
+  ASSERT_EQ(written.status, 0) << written.text;
+  const Answer segments = run_command(program + " segments --vsg rtl '" + frame + "'");
+  std::remove(frame.c_str());
+  ASSERT_EQ(segments.status, 0);
+  EXPECT_EQ(rtl.at({"cube1", "cycles"}).at("measured"), json::parse(segments.text).at("cycles"));
+}
+#endif
 
 TEST(Figure33, TextShowsTenObjectsAndThirteenRows) {
   const Answer answer = run("fig33 --vsg model");
