@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <limits>
 #include <ostream>
 #include <string_view>
+#include <type_traits>
 
 namespace scanline {
 namespace {
@@ -36,9 +38,15 @@ class LineParser {
 
 template <class Number>
 bool parse(std::string_view word, Number& value) {
-  if (!word.empty() && word.front() == '+') word.remove_prefix(1);
+  if (word.size() > 1 && word.front() == '+' && word[1] != '-') word.remove_prefix(1);
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  return error == std::errc() && end == word.data() + word.size();
+  if (end != word.data() + word.size() || error == std::errc::invalid_argument) return false;
+  // Beyond the range of doubles: a number all the same, which the checks of the range then refuse, or nearly 0.
+  if constexpr (std::is_floating_point_v<Number>) {
+    if (error == std::errc::result_out_of_range) value = std::strtod(std::string(word).c_str(), nullptr);
+    return true;
+  }
+  return error == std::errc();
 }
 
 std::string quoted(std::string_view word) {
@@ -70,6 +78,13 @@ class FrameReader {
         fail(words, "expected 'size', 'v' or 'p', not " + quoted(key));
       }
       if (stop_) break;
+    }
+    // A polygon may stand before its vertices: their numbers are checked when all are known.
+    for (const Later& later : later_) {
+      if (later.vertex <= frame_.vertices.size() || stop_ || diagnostics_.size() >= kMostErrors) continue;
+      diagnostics_.push_back({name_, later.line, later.column,
+                              "there is no vertex " + std::to_string(later.vertex) + ", the frame has " +
+                                  std::to_string(frame_.vertices.size())});
     }
     if (in_.bad()) throw UserError({name_, line_number_, 0, "the file could not be read to its end"});
     if (diagnostics_.empty() && !seen_header_) fail_at(0, "not a frame file: 'vsgframe 1' is missing");
@@ -144,21 +159,28 @@ class FrameReader {
     const int begin = words.column();
     for (auto word = words.word(); !word.empty(); word = words.word()) {
       std::uint32_t vertex = 0;
-      if (!parse(word, vertex) || vertex == 0 || vertex > frame_.vertices.size()) {
-        fail(words, quoted(word) + " is not the number of a vertex before this line (1 to " +
-                        std::to_string(frame_.vertices.size()) + ")");
+      if (!parse(word, vertex) || vertex == 0) {
+        fail(words, quoted(word) + " is not the number of a vertex");
         return;
       }
+      if (vertex > frame_.vertices.size()) later_.push_back({vertex, line_number_, words.column()});
       polygon.push_back(vertex);
     }
     if (polygon.size() < 3) return fail_at(begin, "a polygon has three vertices or more");
     frame_.polygons.push_back(std::move(polygon));
   }
 
+  /// A vertex number that no vertex before its line has.
+  struct Later {
+    std::uint32_t vertex;
+    int line, column;
+  };
+
   std::istream& in_;
   const std::string& name_;
   Frame frame_;
   std::vector<Diagnostic> diagnostics_;
+  std::vector<Later> later_;
   int line_number_ = 0;
   bool seen_header_ = false, stop_ = false;
 };

@@ -25,6 +25,9 @@ class VerilatedGenerator final : public scanline::VisibleSegmentGenerator {
   const vsg::Parameters& parameters() const override { return machine_->parameters(); }
   vsg::FrameAnswer generate(const vsg::FrameBlocks& blocks, const vsg::EventSink& events = {}) override;
 
+  /// The machine itself, for tests.
+  RtlMachine& machine() { return *machine_; }
+
   /// Transactions compared since the generator was made; 0 without lock-step.
   std::int64_t matched() const { return matched_; }
 

@@ -2,9 +2,10 @@
 
 namespace vsg {
 
-EdgeMemory::EdgeMemory(const FrameBlocks& frame, const PolygonMemory& polygons, Tally& tally)
+EdgeMemory::EdgeMemory(const FrameBlocks& frame, std::uint32_t capacity, const PolygonMemory& polygons, Tally& tally)
     : edges_(frame.edges), buckets_(frame.height + 1), next_(frame.edges.size() + 1) {
   for (std::size_t i = 0; i < edges_.size(); ++i) {
+    if (i == capacity) throw FrameError(FrameError::Kind::kEdgeMemoryFull, 0);
     const EdgeBlock& e = edges_[i];
     ++tally.pq[pq::kEdges];
     ++tally.q[q::kEdgeReads];

@@ -12,8 +12,8 @@ namespace vsg {
 
 class EdgeMemory {
  public:
-  /// Throws FrameError when an edge lies outside the scan lines of the frame.
-  EdgeMemory(const FrameBlocks& frame, const PolygonMemory& polygons, Tally& tally);
+  /// Throws FrameError at the first edge that lies outside the scan lines of the frame or exceeds `capacity`.
+  EdgeMemory(const FrameBlocks& frame, std::uint32_t capacity, const PolygonMemory& polygons, Tally& tally);
 
   /// First edge of a line's bucket, 0 when none enters.
   std::uint32_t bucket(int line) const { return buckets_[line]; }

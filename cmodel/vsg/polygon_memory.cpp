@@ -2,7 +2,9 @@
 
 namespace vsg {
 
-PolygonMemory::PolygonMemory(const std::vector<PolygonBlock>& polygons, Tally& tally) : words_(polygons.size() + 1) {
+PolygonMemory::PolygonMemory(const std::vector<PolygonBlock>& polygons, std::uint32_t capacity, Tally& tally)
+    : words_(polygons.size() + 1) {
+  if (polygons.size() > capacity) throw FrameError(FrameError::Kind::kPolygonMemoryFull, 0);
   for (std::size_t i = 0; i < polygons.size(); ++i) {
     words_[i + 1].front = polygons[i].front;
     ++tally.pq[pq::kPolygons];

@@ -13,7 +13,8 @@ namespace vsg {
 
 class PolygonMemory {
  public:
-  PolygonMemory(const std::vector<PolygonBlock>& polygons, Tally& tally);
+  /// Throws FrameError when there are more than `capacity`.
+  PolygonMemory(const std::vector<PolygonBlock>& polygons, std::uint32_t capacity, Tally& tally);
 
   bool front(std::int32_t polygon) const { return words_[polygon].front; }
   SegmentPointer first_segment(std::int32_t polygon) const { return words_[polygon].first_segment; }

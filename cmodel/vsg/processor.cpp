@@ -13,12 +13,6 @@ namespace {
 // Spans on one line before the frame is given up, as a multiple of its width. Nothing known comes near it.
 constexpr int kSpansPerPixel = 64;
 
-const FrameBlocks& checked(const FrameBlocks& frame, const Parameters& parameters) {
-  if (frame.polygons.size() > parameters.polygon_blocks) throw FrameError(FrameError::Kind::kPolygonMemoryFull, 0);
-  if (frame.edges.size() > parameters.edge_blocks) throw FrameError(FrameError::Kind::kEdgeMemoryFull, 0);
-  return frame;
-}
-
 const char* reason(FrameError::Kind kind) {
   switch (kind) {
     case FrameError::Kind::kOutOfFrame: return "an edge leaves the frame";
@@ -38,7 +32,7 @@ FrameError::FrameError(Kind kind, int line)
 
 struct Processor::Machine {
   Machine(const Parameters& p, const FrameBlocks& f, EventSink sink)
-      : parameters(p), frame(checked(f, p)), events(std::move(sink)) {
+      : parameters(p), frame(f), events(std::move(sink)) {
     recorder.frame_started(tally);
   }
 
@@ -47,8 +41,8 @@ struct Processor::Machine {
   EventSink events;
   Tally tally;
   StatisticsRecorder recorder;
-  PolygonMemory polygons{frame.polygons, tally};
-  EdgeMemory edges{frame, polygons, tally};
+  PolygonMemory polygons{frame.polygons, parameters.polygon_blocks, tally};
+  EdgeMemory edges{frame, parameters.edge_blocks, polygons, tally};
   SegmentMemory memory{parameters.segment_blocks, events};
   FreeList free_list{parameters.segment_blocks};
   Wiring wiring{frame.width, frame.height,

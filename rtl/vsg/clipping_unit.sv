@@ -4,7 +4,7 @@
 // close in on the crossing. Adders, comparators and shifts by one place.
 //
 // Latency: 3 cycles and one an add cycle; `add_cycles_o` counts as the paper does (loading and clipping cycles).
-// Refuses nothing.
+// Refuses nothing. Longer than a module should be: the registers of figure 12 are loaded, judged and read in one place.
 
 module clipping_unit (
   input  logic                    clk_i,

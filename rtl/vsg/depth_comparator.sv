@@ -1,7 +1,7 @@
 // Depth Comparator (chapter III.F): runs through the segments of a span, first those of the active list, then those of the
-// X-sort list whose left edge lies in the span, which the segment stepper brings to this scan line. Each segment present in
-// the span is tried against the visible box by the clipping unit. On demand it runs the two segments of the box again to find where they
-// cross.
+// X-sort list whose left edge lies in the span, which the segment stepper brings to this scan line. Each segment present
+// in the span is tried against the visible box by the clipping unit. On demand it runs the two segments of the box again
+// to find where they cross.
 //
 // Latency: about 4 cycles a segment of the active list, 6 a segment of the X-sort list, and the test. Refuses: an edge
 // that leaves the frame (error_o, held until the next frame).

@@ -1,5 +1,5 @@
 // Free list: the segment block returned last is taken first; when none was returned, the next block never used. A stack
-// whose top is a register, so that a block to take is always shown; blocks may be taken and returned in every cycle.
+// whose top is a register, so that a block to take is always shown; in every cycle one may be taken or one returned, not both.
 // Refuses to give when full_o; the taker stops the frame.
 
 module free_list (

@@ -135,7 +135,7 @@ module polygon_segment_lists (
           request_o.groups            = vsg_pkg::GroupAll;
           request_o.block             = free_block_i;
           request_o.word.x_previous   = vsg_pkg::NotSorted;
-          request_o.word.polygon      = polygon_i;
+          request_o.word.polygon[vsg_pkg::PolyW-1:0] = polygon_i;
           request_o.word.polygon_next = next_q;
           if (place_q == PlaceNewBlock) begin
             request_o.word.left       = half;

@@ -3,6 +3,8 @@
 // Numbers of blocks run from 1; 0 is none. The low bits of a number address its memory, so a memory of 2^n blocks holds
 // 2^n of them (number 2^n lies at address 0). VSG_SEGMENT_BLOCKS must be a power of two.
 //
+// Longer than a file should be, as widths and packed structs of all blocks have this one home.
+//
 // Fixed point: X and Z are signed words with FracX and FracZ fraction bits and IntegerBits before the point.
 
 `include "vsg_parameters.svh"

@@ -1,4 +1,5 @@
-// Golden model beside RTL: every transaction of one is compared with the other's, kind by kind and in order.
+// Golden model beside RTL: every transaction of one is compared with the other's. Each kind of transaction is compared in
+// its order within the scan line; the order between kinds is the RTL's own, as blocks may work at the same time.
 #pragma once
 
 #include <array>

@@ -4,8 +4,9 @@
 #include <verilated.h>
 #include <verilated_fst_c.h>
 
-#include <algorithm>
+#include <limits>
 #include <memory>
+#include <stdexcept>
 #include <string>
 
 #include "cmodel/vsg/tally.h"
@@ -16,8 +17,10 @@ namespace tb {
 template <class Harness>
 class RtlDriver final : public RtlMachine {
  public:
-  /// `most_cycles_of_line`: a machine that takes longer is stuck.
-  explicit RtlDriver(const std::filesystem::path& trace, std::int64_t most_cycles_of_line = 20'000'000)
+  /// `most_cycles_of_line`: a machine that takes longer is stuck. The true machine needs no limit: it gives up a line
+  /// that is subdivided without end by itself.
+  explicit RtlDriver(const std::filesystem::path& trace,
+                     std::int64_t most_cycles_of_line = std::numeric_limits<std::int64_t>::max())
       : most_cycles_of_line_(most_cycles_of_line) {
     context_.traceEverOn(!trace.empty());
     top_ = std::make_unique<Harness>(&context_);
@@ -42,7 +45,6 @@ class RtlDriver final : public RtlMachine {
   }
 
   const vsg::Parameters& parameters() const override { return parameters_; }
-  int greatest_size() const override { return (1 << top_->coordinate_bits_o) - 1; }
 
   vsg::FrameAnswer work(const vsg::FrameBlocks& blocks, RtlObserver& observer, bool want_events) override {
     vsg::FrameAnswer answer;
@@ -81,6 +83,7 @@ class RtlDriver final : public RtlMachine {
       }
       tick();
       top_->run_i = 0;
+      top_->segment_ready_i = !receiver_ready || receiver_ready();
       settle();
     }
     vsg::complete_answer(answer, tally(), recorder_.finish(tally(), blocks.height), parameters_);
@@ -107,6 +110,9 @@ class RtlDriver final : public RtlMachine {
   }
 
   void load(const vsg::FrameBlocks& blocks) {
+    if (std::max(blocks.width, blocks.height) >> top_->coordinate_bits_o != 0) {
+      throw std::invalid_argument("the frame is larger than this machine's coordinates");
+    }
     top_->width_i = static_cast<std::uint32_t>(blocks.width);
     top_->height_i = static_cast<std::uint32_t>(blocks.height);
     top_->frame_start_i = 1;

@@ -26,8 +26,8 @@ class RtlMachine {
 
   /// Widths and sizes that the RTL was made with.
   virtual const vsg::Parameters& parameters() const = 0;
-  /// Greatest width and height of a frame.
-  virtual int greatest_size() const = 0;
+  /// The receiver of visible segments is not ready in cycles for which this says so; empty: always ready.
+  std::function<bool()> receiver_ready;
 
   /// Loads and works one frame. `want_events` false: the observer gets line calls only. Throws vsg::FrameError, and
   /// vsg::LockstepError when a scan line takes absurdly long.

@@ -68,8 +68,8 @@ int pointer_bits() { return std::bit_width(bench_parameters().segment_blocks); }
 int coordinate_bits() { return VSG_COORDINATE_BITS; }
 
 Machine::Machine(const vsg::FrameBlocks& frame)
-    : polygons(frame.polygons, tally),
-      edges(frame, polygons, tally),
+    : polygons(frame.polygons, bench_parameters().polygon_blocks, tally),
+      edges(frame, bench_parameters().edge_blocks, polygons, tally),
       memory(bench_parameters().segment_blocks, events),
       free_list(bench_parameters().segment_blocks),
       wiring{frame.width, frame.height, x_format(), z_format(), memory, free_list, polygons, tally, events},

@@ -57,7 +57,7 @@ TEST_F(PolygonMemory, KeepsWordsAndTheChangingList) {
     for (vsg::PolygonBlock& polygon : polygons) polygon.front = random.coin();
     vsg::Tally tally;
     counted_ = {};
-    vsg::PolygonMemory golden(polygons, tally);
+    vsg::PolygonMemory golden(polygons, bench_parameters().polygon_blocks, tally);
     load(polygons);
     EXPECT_EQ(counted_.q, tally.q);
     EXPECT_EQ(counted_.pq, tally.pq);

@@ -11,13 +11,14 @@
 int main(int argc, char** argv) {
   std::uint64_t seed = 1;
   int frames = 300, lines = 128;
-  bool small = false;
+  bool small = false, wait = false;
   std::string write, trace;
   CLI::App app{"Random frames through golden model and RTL, compared at every transaction"};
   app.add_option("--frames", frames, "how many frames")->capture_default_str();
   app.add_option("--seed", seed, "seed of the first frame; the next ones count up")->capture_default_str();
   app.add_option("--lines", lines, "most scan lines of a frame")->capture_default_str();
   app.add_flag("--small", small, "the small machine of other widths instead of the default one");
+  app.add_flag("--wait", wait, "the receiver of visible segments is ready in one cycle of three, at random");
   app.add_option("--write", write, "write the first frame to this file");
   app.add_option("--trace", trace, "FST waveform of the run");
   CLI11_PARSE(app, argc, argv);
@@ -26,10 +27,13 @@ int main(int argc, char** argv) {
               static_cast<unsigned long long>(seed + frames - 1), small ? "small" : "default");
   tb::VerilatedGenerator generator(small ? tb::make_small_rtl_machine(trace) : tb::make_rtl_machine(trace),
                                    {.lockstep = true, .trace = {}, .replay = {}});
+  std::mt19937_64 patience;
+  if (wait) generator.machine().receiver_ready = [&patience] { return patience() % 3 == 0; };
   int refused = 0;
   std::int64_t cycles = 0, segments = 0;
   for (int i = 0; i < frames; ++i) {
     const std::uint64_t s = seed + static_cast<std::uint64_t>(i);
+    patience.seed(s);
     const vsg_tests::RandomFrame random = vsg_tests::random_frame(s, lines);
     if (i == 0 && !write.empty()) {
       std::ofstream out(write);
@@ -46,7 +50,7 @@ int main(int argc, char** argv) {
     } catch (const std::exception& error) {
       std::printf("seed %llu (%s): %s\n  replay: vsg_random_lockstep --seed %llu --frames 1%s --trace mismatch.fst\n",
                   static_cast<unsigned long long>(s), random.kinds.c_str(), error.what(), static_cast<unsigned long long>(s),
-                  small ? " --small" : "");
+                  small ? " --small" : wait ? " --wait" : "");
       return 2;
     }
   }

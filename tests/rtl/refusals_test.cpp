@@ -108,6 +108,16 @@ TEST(Refusals, AnEdgeThatRunsOutOfTheFrame) {
   EXPECT_GT(line, 11);
 }
 
+/// A corner on the left border: rounding down puts the edge's X a last place below 1, as it did in 1970.
+TEST(Refusals, AnEdgeThatRoundingPutsOutOfTheFrame) {
+  tb::VerilatedGenerator generator({.lockstep = true, .trace = {}, .replay = {}});
+  const scanline::Frame frame{64, 64, {{1, 36, 5}, {60, 38, 5}, {2.92, 32.08, 5}}, {{1, 2, 3}}};
+  int line = -1;
+  EXPECT_EQ(refusal(generator, scanline::make_blocks(frame, generator.parameters(), true), line),
+            vsg::FrameError::Kind::kOutOfFrame);
+  EXPECT_EQ(line, 35);
+}
+
 TEST(Refusals, AnEdgeBeyondTheLastLine) {
   auto generator = small_machine();
   auto blocks = overlapping(1, generator.parameters());
