@@ -73,6 +73,18 @@ void check_options(const RenderOptions& options, const std::optional<Moments>& m
   if (options.picture.channels && !options.show.empty()) refuse("--channels and --show exclude each other");
 }
 
+/// A place that cannot be written is found before the work begins, for every frame: those that are finished when a
+/// later one fails remain.
+void check_places(const RenderOptions& options, const Moments& moments) {
+  const std::string& trace = options.picture.generator.trace;
+  for (int i = 0; i < moments.count; ++i) {
+    const std::string image = image_name(options, moments.first + i);
+    refuse_same_file({options.scene.file, image, options.stats, trace});
+    OutputFile{image};
+  }
+  if (!trace.empty()) OutputFile{trace};
+}
+
 nlohmann::ordered_json frame_statistics(int moment, const MadePicture& made, double writing) {
   nlohmann::ordered_json frame;
   frame["frame"] = moment;
@@ -108,7 +120,8 @@ nlohmann::ordered_json render_frame(const RenderOptions& options, const scanline
   }
   const MadePicture made = [&] {
     try {
-      return make_picture(scene, options.scene.file, moment, picture_options, [&](int) { progress.advance(); }, history);
+      return make_picture(
+          scene, options.scene.file, moment, picture_options, [&](int) { progress.advance(); }, history);
     } catch (const vsg::LockstepError&) {
       if (trace) trace->commit();  // the waveform up to the mismatch is what it was asked for
       throw;
@@ -128,11 +141,9 @@ void run_render(RenderOptions options) {
   check_options(options, sequence);
   options.picture.show = scanline::show_named(options.show);
   check_image_format(options.image, options.picture.channels);
-  refuse_same_file({options.scene.file, options.image, options.stats, options.picture.generator.trace});
+  check_places(options, sequence.value_or(Moments{}));
   std::optional<OutputFile> stats;
   if (!options.stats.empty()) stats.emplace(options.stats);
-  if (!options.picture.generator.trace.empty()) OutputFile{options.picture.generator.trace};
-  OutputFile{image_name(options, sequence ? sequence->first : 0)};  // a place that cannot be written is found now
 
   const scanline::Scene scene = read_scene(options.scene);
   scanline::check_shaders(scene);
@@ -149,9 +160,9 @@ void run_render(RenderOptions options) {
   WarningPrinter warnings(options.scene.quiet);
   {
     Progress progress("lines", moments.count * (scene.height * samples + 1), options.scene.quiet);
-    for_each_index(moments.count, frame_threads,
-                   [&](int i) {
-      statistics[i] = render_frame(options, scene, moments.first + i, progress, warnings, history ? &*history : nullptr);
+    for_each_index(moments.count, frame_threads, [&](int i) {
+      statistics[i] =
+          render_frame(options, scene, moments.first + i, progress, warnings, history ? &*history : nullptr);
     });
   }
   if (stats) {
@@ -176,7 +187,8 @@ void add_render(CLI::App& app, const std::string& command_line) {
   add_scene_options(*command, options->scene);
   command
       ->add_option("--frames", options->frames,
-                   "Frames A to B of the scene's sequence; IMAGE holds a %04d [one picture]")
+                   "Frames A to B of the scene's sequence; IMAGE holds a %04d; when a frame fails, finished ones\n"
+                   "remain [one picture]")
       ->type_name("A-B")
       ->group("Scene");
 

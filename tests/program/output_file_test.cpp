@@ -31,6 +31,18 @@ TEST_F(OutputFile, AFailedRunLeavesAnOlderFileAsItWas) {
   EXPECT_EQ(read("a.png").substr(1, 3), "PNG");
 }
 
+TEST_F(OutputFile, EveryPlaceOfASequenceIsCheckedBeforeTheFirstPicture) {
+  std::filesystem::create_directory(path("a-0003.png"));
+  const auto before = files();
+  const Outcome folder = run({"render", "scene.toml", "-o", "a-%04d.png", "--frames", "1-3", "--vsg", "model"});
+  EXPECT_EQ(folder.status, 1);
+  EXPECT_NE(folder.err.find("a-0003.png: error: "), std::string::npos) << folder.err;
+  const Outcome twice = run({"render", "scene.toml", "-o", "b-%04d.png", "--frames", "1-2", "--stats", "b-0002.png"});
+  EXPECT_EQ(twice.status, 1);
+  EXPECT_NE(twice.err.find("named twice"), std::string::npos) << twice.err;
+  EXPECT_EQ(files(), before);
+}
+
 TEST_F(OutputFile, AnInterruptedRunLeavesNothing) {
   const auto before = files();
   for (const int signal : {SIGINT, SIGTERM}) {
