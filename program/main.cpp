@@ -1,24 +1,13 @@
 // vsg: an executable model of Watkins's Visible Segment Generator. Parse, call, report.
 #include <CLI/CLI.hpp>
-#include <cstdio>
-#include <exception>
-#include <new>
 #include <string>
 #include <string_view>
 
-#include "cmodel/vsg/answer.h"
 #include "program/commands.h"
+#include "program/exit_status.h"
 #include "program/output_file.h"
-#include "scanline/error.h"
 
 namespace {
-
-enum ExitStatus { kSuccess = 0, kUserMistake = 1, kLockstepMismatch = 2 };
-
-int report(const char* text, ExitStatus status) {
-  std::fprintf(stderr, "error: %s\n", text);
-  return status;
-}
 
 /// As a shell would take it again.
 std::string quoted_command_line(int argc, char** argv) {
@@ -58,22 +47,15 @@ int main(int argc, char** argv) {
   program::remove_partial_files_on_signals();
   try {
     app.parse(argc, argv);
-    return kSuccess;
+    return program::kSuccess;
   } catch (const CLI::Success& request) {  // --help, --version
     return app.exit(request);
   } catch (const CLI::ParseError& mistake) {
     // CLI11 misses the command before it looks at the word that should have been one.
     const bool unknown = app.get_subcommands().empty() && argc > 1 && argv[1][0] != '-';
     const std::string text = unknown ? "unknown command '" + std::string(argv[1]) + "'" : mistake.what();
-    return report((text + " (see vsg --help)").c_str(), kUserMistake);
-  } catch (const scanline::UserError& mistake) {  // its text says "error:" behind each file and line
-    std::fprintf(stderr, "%s\n", mistake.what());
-    return kUserMistake;
-  } catch (const vsg::LockstepError& mismatch) {
-    return report(mismatch.what(), kLockstepMismatch);
-  } catch (const std::bad_alloc&) {
-    return report("out of memory", kUserMistake);
-  } catch (const std::exception& failure) {
-    return report(failure.what(), kUserMistake);
+    return program::report(text + " (see vsg --help)", program::kUserMistake);
+  } catch (...) {
+    return program::report_exception();
   }
 }

@@ -232,6 +232,19 @@ TEST_F(Render, RtlInLockstepGivesTheSameBits) {
   }
   EXPECT_EQ(rtl, model);
 }
+
+TEST_F(Render, ATraceIsAWaveformAndLeavesNothingElse) {
+  write("scene.toml", flat_scene(16, 8, kRectangle));
+  write("r.off", rectangle_off(-0.5, -0.5, 0.5, 0.5));
+  const Outcome result = run({"render", "scene.toml", "-o", "a.png", "--vsg", "rtl", "--trace", "wave.fst"});
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(files(), (std::vector<std::string>{"a.png", "r.off", "scene.toml", "wave.fst"}));
+  // An FST file begins with its header block: type 0, then the block's length in eight bytes, high byte first.
+  constexpr std::size_t kHeaderLength = 329;
+  const std::string wave = read("wave.fst");
+  ASSERT_GT(wave.size(), 1 + kHeaderLength) << "there are blocks behind the header";
+  EXPECT_EQ(wave.substr(0, 9), std::string("\0\0\0\0\0\0\0\x01\x49", 9));
+}
 #endif
 
 }  // namespace

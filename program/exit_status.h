@@ -1,0 +1,16 @@
+// How the program ends: what was thrown becomes a message and an exit status.
+#pragma once
+
+#include <string>
+
+namespace program {
+
+enum ExitStatus { kSuccess = 0, kUserMistake = 1, kLockstepMismatch = 2 };
+
+/// Prints "error: TEXT" on standard error.
+ExitStatus report(const std::string& text, ExitStatus status);
+
+/// For a catch block: prints what was thrown on standard error and tells the exit status that belongs to it.
+ExitStatus report_exception();
+
+}  // namespace program
