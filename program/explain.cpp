@@ -24,7 +24,7 @@ void run_explain(const ExplainOptions& options) {
   const auto generator = make_generator(options.generator, {});
   const scanline::Frame frame = scanline::read_frame_file(options.frame);
   if (options.line < 1 || options.line > frame.height) {
-    refuse(fmt::format("--line {}: the frame has scan lines 1 to {}", options.line, frame.height), options.frame);
+    refuse(fmt::format("--line {}: {} has scan lines 1 to {}", options.line, options.frame, frame.height));
   }
   LineStory story(options.line, generator->parameters());
   generate(*generator, frame, options.frame, options.keep_back_faces,

@@ -95,10 +95,11 @@ struct TablesOptions {
 
 void add_tables(CLI::App& app, const std::string& command_line) {
   CLI::App* command = app.add_subcommand("tables", "Published figures beside measured ones, row by row");
+  command->group("Results of the thesis");
   const auto options = std::make_shared<TablesOptions>();
   command->add_option("name", options->name, "fig32, fig33: figures of the thesis; claims: statements of its text")
       ->required()
-      ->check(CLI::IsMember({"fig32", "fig33", "claims"}))
+      ->check(CLI::IsMember({"fig32", "fig33", "claims"}).description(""))
       ->type_name("fig32|fig33|claims");
   command->add_flag("--json", options->json, "JSON instead of a table for people")->group("Output");
   command

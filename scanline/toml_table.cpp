@@ -70,7 +70,9 @@ int TomlTable::integer(std::string_view key, int fallback, int low, int high) {
   if (!n) return fallback;
   const std::optional<std::int64_t> value = n->is_integer() ? n->value<std::int64_t>() : std::nullopt;
   if (value && *value >= low && *value <= high) return static_cast<int>(*value);
-  wrong(*n, key, "a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+  wrong(
+      *n, key,
+      low == high ? std::to_string(low) : "a whole number from " + std::to_string(low) + " to " + std::to_string(high));
   return fallback;
 }
 

@@ -29,7 +29,7 @@ class CommandLine : public ProgramTest {
 TEST_F(CommandLine, HelpNamesCommandsAndOptionsWithDefaults) {
   const Outcome help = run({"--help"});
   EXPECT_EQ(help.status, 0);
-  for (const char* command : {"render", "frame", "segments", "explain"}) {
+  for (const char* command : {"render", "frame", "segments", "explain", "tables"}) {
     EXPECT_NE(help.out.find(command), std::string::npos) << command;
     EXPECT_EQ(run({command, "--help"}).status, 0) << command;
   }
@@ -45,6 +45,14 @@ TEST_F(CommandLine, HelpNamesCommandsAndOptionsWithDefaults) {
   EXPECT_NE(render.out.find("=model"), std::string::npos);
 #endif
   EXPECT_NE(run({"segments", "--help"}).out.find("=model"), std::string::npos);
+}
+
+TEST_F(CommandLine, HelpIsGroupedAndSaysNothingTwice) {
+  const std::string help = run({"--help"}).out, tables = run({"tables", "--help"}).out;
+  EXPECT_EQ(help.find("Subcommands:"), std::string::npos) << "a command without a group:\n" << help;
+  EXPECT_NE(help.find("\n  tables "), std::string::npos) << help;
+  EXPECT_NE(tables.find("fig32|fig33|claims"), std::string::npos) << tables;
+  EXPECT_EQ(tables.find("{fig32"), std::string::npos) << tables;
 }
 
 TEST_F(CommandLine, MistakesOnTheCommandLineAreExplained) {
@@ -165,8 +173,12 @@ TEST_F(CommandLine, AnUnwritableOutputIsFoundAtOnce) {
 
 TEST_F(CommandLine, ExplainWantsALineOfTheFrame) {
   expect_refused({"explain", "one.frame"}, "--line");
-  expect_refused({"explain", "one.frame", "--line", "0"}, "1 to 16");
-  expect_refused({"explain", "one.frame", "--line", "17"}, "1 to 16");
+  for (const std::string line : {"0", "17", "-1"}) {
+    expect_refused({"explain", "one.frame", "--line=" + line},
+                   "error: --line " + line + ": one.frame has scan lines 1 to 16\n");
+    EXPECT_EQ(run({"explain", "one.frame", "--line=" + line}).err.find("error: --line"), 0u)
+        << "the option is at fault";
+  }
 }
 
 }  // namespace

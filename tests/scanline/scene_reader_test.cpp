@@ -121,7 +121,7 @@ TEST(SceneReader, EveryShapeIsBuilt) {
 TEST(SceneReader, MistakesNameFileLineAndColumn) {
   const std::map<std::string, std::string> cases{
       {"", "a.toml:1: error: a scene file begins with 'version = 1'"},
-      {"version = 2\n", "a.toml:1:11: error: 'version' of the scene must be a whole number from 1 to 1"},
+      {"version = 2\n", "a.toml:1:11: error: 'version' of the scene must be 1"},
       {"version = 1\n", "a.toml: error: the scene has no object"},
       {"version = 1\nsizes = [1, 2]\n" + kObject, "a.toml:2:1: error: unknown key 'sizes' in the scene"},
       {"version = 1\nsize = [0, 10]\n" + kObject, "a.toml:2:9: error: 'size' of the scene must be at least 1"},
