@@ -7,6 +7,7 @@
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <new>
+#include <optional>
 
 #include "scanline/error.h"
 #include "scanline/mesh_checks.h"
@@ -135,9 +136,11 @@ class SceneGatherer {
   MeshBuilder mesh_;
 };
 
-Mesh read_with_assimp(const std::filesystem::path& path) {
+/// `text`: what the library is to read instead of the file itself.
+Mesh read_with_assimp(const std::filesystem::path& path, const std::optional<std::string>& text) {
   Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFile(path.string(), 0);
+  const aiScene* scene =
+      text ? importer.ReadFileFromMemory(text->data(), text->size(), 0, "obj") : importer.ReadFile(path.string(), 0);
   if (!scene || !scene->mRootNode) throw UserError({path.string(), 0, 0, importer.GetErrorString()});
   return SceneGatherer(*scene, path.string()).gather();
 }
@@ -154,8 +157,11 @@ Mesh read_mesh_file(const std::filesystem::path& path) {
         {path.string(), 0, 0, "unknown kind of mesh '" + suffix + "' (known: .obj, .off, .ply, .stl, .gltf, .glb)"});
   }
   if (suffix == ".ply") check_ply(text, path.string());
+  if (suffix == ".stl") check_stl(text, path.string());
+  std::optional<std::string> checked;
+  if (suffix == ".obj") checked = check_obj(text, path.string());
   try {
-    return read_with_assimp(path);
+    return read_with_assimp(path, checked);
   } catch (const std::bad_alloc&) {
     throw UserError({path.string(), 0, 0, "the file announces more data than there is memory"});
   }

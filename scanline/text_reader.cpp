@@ -26,31 +26,45 @@ std::string read_text_file(const std::filesystem::path& path) {
 }
 
 bool TextLines::next() {
+  words_.clear();
+  places_.clear();
   while (!rest_.empty()) {
     std::string_view line = rest_.substr(0, rest_.find('\n'));
     rest_.remove_prefix(std::min(line.size() + 1, rest_.size()));
     ++line_;
-    line = line.substr(0, line.find('#'));
-    words_.clear();
-    for (std::size_t begin; (begin = line.find_first_not_of(kBlank)) != std::string_view::npos;) {
-      line.remove_prefix(begin);
-      const std::size_t end = std::min(line.find_first_of(kBlank), line.size());
-      words_.push_back(line.substr(0, end));
-      line.remove_prefix(end);
+    // A comment ends with its line, whatever its last character is (paths end with a backslash at times).
+    const std::size_t comment = line.find('#');
+    line = line.substr(0, comment);
+    bool goes_on = false;
+    if (style_.continuation && comment == std::string_view::npos) {
+      if (line.ends_with('\r')) line.remove_suffix(1);
+      goes_on = line.ends_with('\\');
+      if (goes_on) line.remove_suffix(1);
     }
-    if (!words_.empty()) return true;
+    add_words(line);
+    if (!goes_on && !words_.empty()) return true;
   }
-  words_.clear();
-  return false;
+  return !words_.empty();
+}
+
+void TextLines::add_words(std::string_view line) {
+  const char* const first = line.data();
+  for (std::size_t begin; (begin = line.find_first_not_of(kBlank)) != std::string_view::npos;) {
+    line.remove_prefix(begin);
+    const std::size_t end = std::min(line.find_first_of(kBlank), line.size());
+    words_.push_back(line.substr(0, end));
+    if (style_.columns) places_.push_back({line_, static_cast<int>(line.data() - first) + 1});
+    line.remove_prefix(end);
+  }
 }
 
 double TextLines::number(std::size_t word) const {
   std::string_view text = words_.at(word);
-  if (text.starts_with('+')) text.remove_prefix(1);
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
-    fail("'" + std::string(words_[word]) + "' is not a finite number");
+    fail(word, "'" + std::string(words_[word]) + "' is not a finite number");
   }
   return value;
 }
@@ -60,12 +74,17 @@ long TextLines::whole(std::size_t word, long low, long high) const {
   long value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || value < low || value > high) {
-    fail("'" + std::string(text) + "' is not a whole number from " + std::to_string(low) + " to " +
-         std::to_string(high));
+    fail(word, "'" + std::string(text) + "' is not a whole number from " + std::to_string(low) + " to " +
+                   std::to_string(high));
   }
   return value;
 }
 
 void TextLines::fail(const std::string& message) const { throw UserError({file_, line_, 0, message}); }
+
+void TextLines::fail(std::size_t word, const std::string& message) const {
+  if (!style_.columns) fail(message);
+  throw UserError({file_, places_.at(word).line, places_.at(word).column, message});
+}
 
 }  // namespace scanline

@@ -128,17 +128,138 @@ TEST(MeshReader, MistakesOfOtherFormatsNameTheFile) {
     EXPECT_TRUE(message.starts_with(path.string() + ": error: ")) << message;
     return message;
   };
-  const std::string v3 = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-  EXPECT_NE(read("a.obj", v3 + "f 1 2 4\n"), "");
-  EXPECT_NE(read("b.obj", "v 0 0 0\nv 1 0 0\nv 0 nan 0\nf 1 2 3\n"), "");
-  EXPECT_NE(read("c.obj", v3 + "l 1 2\n").find("points or lines"), std::string::npos);
-  EXPECT_NE(read("d.obj", v3 + "p 1\n").find("points or lines"), std::string::npos);
-  EXPECT_NE(read("e.obj", v3), "");
-  EXPECT_NE(read("f.obj", "").find("empty"), std::string::npos);
-  EXPECT_NE(read("g.obj", "nothing of the kind\n"), "");
-  EXPECT_NE(read("i.stl", "solid\n"), "");
+  EXPECT_NE(read("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"), "");
+  EXPECT_NE(read("b.obj", "").find("empty"), std::string::npos);
+  EXPECT_NE(read("c.stl", "solid\nendsolid\n"), "");
   EXPECT_NE(read("j.gltf", "{}"), "");
   EXPECT_NE(read("k.xyz", "1 2 3\n").find("unknown kind of mesh '.xyz'"), std::string::npos);
+}
+
+/// What reading a file of this text is refused with, after the file's name; an empty text when it is not refused.
+std::string refusal(const TemporaryFolder& folder, const std::string& name, const std::string& text) {
+  const auto path = folder.write(name, text);
+  const std::string message = mistake([&] { scanline::read_mesh_file(path); });
+  EXPECT_TRUE(message.empty() || message.starts_with(path.string() + ":")) << message;
+  return message.substr(std::min(message.size(), path.string().size()));
+}
+
+TEST(MeshReader, ObjMistakesNameLineAndColumn) {
+  const TemporaryFolder folder;
+  const std::string v3 = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  const auto read = [&](const std::string& text) { return refusal(folder, "a.obj", text); };
+  const std::string vertex = "3 numbers expected after 'v', 4 with a weight or 6 with a colour";
+  EXPECT_EQ(read(v3 + "v 1 2\nf 1 2 3\n"), ":4:1: error: " + vertex);
+  EXPECT_EQ(read(v3 + "v 1 2 3 4 5\nf 1 2 3\n"), ":4:11: error: " + vertex);
+  EXPECT_EQ(read(v3 + "v 1 2 3 4 5 6 7\nf 1 2 3\n"), ":4:15: error: " + vertex);
+  EXPECT_EQ(read(v3 + "v 1 2 3 0\nf 1 2 3\n"), ":4:9: error: the weight of a vertex must not be 0");
+  EXPECT_EQ(read("v 0 0 0\nv 1 0 0\nv 0 nan 0\nf 1 2 3\n"), ":3:5: error: 'nan' is not a finite number");
+  EXPECT_EQ(read("v 0 0 0\nv 1 0 0\nv 0 1x 0\nf 1 2 3\n"), ":3:5: error: '1x' is not a finite number");
+  EXPECT_EQ(read("v 0 0 +-1\n"), ":1:7: error: '+-1' is not a finite number");
+  EXPECT_EQ(read("v 0 0 1e39\n"), ":1:7: error: '1e39' lies outside the range of numbers (3.4e38)");
+  EXPECT_EQ(read(v3 + "vn 0 1\nf 1 2 3\n"), ":4:1: error: 3 numbers expected after 'vn'");
+  EXPECT_EQ(read(v3 + "vn 0 1 0 0\nf 1 2 3\n"), ":4:10: error: 3 numbers expected after 'vn'");
+  EXPECT_EQ(read(v3 + "vt\nf 1 2 3\n"), ":4:1: error: 1 to 3 numbers expected after 'vt'");
+  EXPECT_EQ(read(v3 + "f 1 2\n"), ":4:1: error: a polygon needs at least three vertices");
+  EXPECT_EQ(read(v3 + "f 1 2 4\n"), ":4:7: error: '4' names no vertex: 1 to 3 or -3 to -1 expected");
+  EXPECT_EQ(read(v3 + "f 0 1 2\n"), ":4:3: error: '0' names no vertex: 1 to 3 or -3 to -1 expected");
+  EXPECT_EQ(read("f -1 1 2\n" + v3), ":1:3: error: '-1' names no vertex: 1 to 3 expected");
+  EXPECT_EQ(read(v3 + "f 99999999999999999999 1 2\n"),
+            ":4:3: error: '99999999999999999999' names no vertex: 1 to 3 or -3 to -1 expected");
+  EXPECT_EQ(read(v3 + "f 1/1 2/1 3/1\n"), ":4:3: error: '1' names no texture coordinate: the file has none");
+  EXPECT_EQ(read(v3 + "vn 0 0 1\nf 1//1 2//-1 3//2\n"),
+            ":5:14: error: '2' names no normal: 1 to 1 or -1 to -1 expected");
+  for (const std::string corner : {"1/", "1//", "/1", "1/1/1/1", "1.0", "a", "1-", "1/x"}) {
+    EXPECT_EQ(read(v3 + "vt 0 0\nvn 0 0 1\nf 1 2 " + corner + "\n"),
+              ":6:7: error: '" + corner + "' is no corner: v, v/vt, v//vn or v/vt/vn expected");
+  }
+  EXPECT_EQ(read(v3 + "vt 0 0\nf 1/1 2/1 3\n"),
+            ":5:11: error: '3' is not of the form of the polygon's first corner '1/1'");
+  EXPECT_EQ(read(v3 + "vv 1 2 3\nf 1 2 3\n"), ":4:1: error: 'vv' is no keyword of an OBJ file (such as v, vt, vn, f)");
+  for (const std::string keyword : {"l", "p"}) {
+    EXPECT_EQ(read(v3 + "f 1 2 3\n  " + keyword + " 1 2\n"),
+              ":5:3: error: a polygon needs at least three vertices; points or lines are not shown");
+  }
+  EXPECT_EQ(read(v3 + "f 1 \\\n 2 \\\r\n  5\n"), ":6:3: error: '5' names no vertex: 1 to 3 or -3 to -1 expected");
+}
+
+TEST(MeshReader, ObjStatementsWithoutPolygonsAreAccepted) {
+  const TemporaryFolder folder;
+  const auto path = folder.write(
+      "a.obj",
+      "# C:\\meshes\\\nmtllib a.mtl\no thing\nv 0 0 0 # 7 8 9\nv +1 0 0\r\nv 0 .5e1 \\\n0\ng a b\ns off\nusemtl red\n"
+      "vp 0.5\nlod 1\nparm u 0 1 2\nf -3 -2 -1\ncstype bezier\ndeg 3 3\nend\nusemtl blue\nf 1 4 2 # below\nusemtl red\n"
+      "f 1 \\\n  3 \\\n  4\nv 0 0 1\n");
+  const scanline::Mesh mesh = scanline::read_mesh_file(path);
+  EXPECT_EQ(mesh.polygons, (scanline::PolygonList{{0, 1, 2}, {0, 3, 1}, {0, 2, 3}})) << "in the order of the file";
+  EXPECT_EQ(mesh.positions, (std::vector<glm::dvec3>{{0, 0, 0}, {1, 0, 0}, {0, 5, 0}, {0, 0, 1}}));
+  EXPECT_TRUE(mesh.attributes.empty());
+}
+
+TEST(MeshReader, ObjVerticesHaveWeightsOrColours) {
+  const TemporaryFolder folder;
+  const auto path = folder.write("a.obj", "v 0 0 0 1\nv 4 0 0 2\nv 0 1 0 1\nf 1 2 3\n");
+  EXPECT_EQ(scanline::read_mesh_file(path).positions, (std::vector<glm::dvec3>{{0, 0, 0}, {2, 0, 0}, {0, 1, 0}}));
+  const auto colored = folder.write("b.obj", "v 0 0 0 1 0 0\nv 4 0 0 0 1 0\nv 0 1 0 0 0 1\nf 1 2 3\n");
+  const scanline::Mesh mesh = scanline::read_mesh_file(colored);
+  ASSERT_EQ(mesh.attributes.size(), 1u);
+  EXPECT_EQ(mesh.attributes[0].values, (std::vector<double>{1, 0, 0, 1, 0, 1, 0, 1, 0, 0, 1, 1}));
+}
+
+TEST(MeshReader, ObjPolygonsMayDifferInForm) {
+  const TemporaryFolder folder;
+  const auto path = folder.write("a.obj",
+                                 "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0.5 0.25\nvn 0 0 1\n"
+                                 "f 1 2 3\nf 1/1 2/1 4/1\nf 1//1 3//1 4//1\nf 2/1/1 3/1/1 4/1/1\n");
+  const scanline::Mesh mesh = scanline::read_mesh_file(path);
+  EXPECT_EQ(mesh.polygons, (scanline::PolygonList{{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}}));
+  ASSERT_EQ(mesh.attributes.size(), 2u);
+  ASSERT_EQ(mesh.attributes[1].values.size(), 24u);
+  EXPECT_EQ(mesh.attributes[1].values[18], 0.5) << "of the last polygon";
+}
+
+TEST(MeshReader, StlMistakesNameLineAndColumn) {
+  const TemporaryFolder folder;
+  const auto read = [&](const std::string& text) { return refusal(folder, "a.stl", text); };
+  const std::string head = "solid s\nfacet normal 0 0 1\nouter loop\n",
+                    v3 = "vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n";
+  const std::string tail = "endloop\nendfacet\n";
+  EXPECT_EQ(read(head + v3 + tail + "endsolid s\n"), "");
+  EXPECT_EQ(read(head + v3 + tail + "endsolid s\nsolid t\nendsolid\n"), "");
+  EXPECT_EQ(read("solid s\nfacet normal nan -nan inf\nouter loop\n" + v3 + tail + "endsolid\n"), "");
+  const std::string start =
+      "an STL file begins with 'solid', or is binary and as long as its number of triangles wants";
+  EXPECT_EQ(read("facet\n"), ":1: error: " + start);
+  EXPECT_EQ(read(std::string(84, '\1')), ":1: error: " + start);
+  EXPECT_EQ(read("solid\n"), ":1: error: the file ends too early: 'facet' or 'endsolid' expected");
+  EXPECT_EQ(read(head + v3 + tail), ":8: error: the file ends too early: 'facet' or 'endsolid' expected");
+  EXPECT_EQ(read(head + v3), ":6: error: the file ends too early: 'endloop' expected");
+  EXPECT_EQ(read("solid s\nface normal 0 0 1\n"), ":2:1: error: 'facet' or 'endsolid' expected, not 'face'");
+  EXPECT_EQ(read("solid s\nfacet\n"), ":2:1: error: 'normal' expected after this");
+  EXPECT_EQ(read("solid s\nfacet 0 0 1\n"), ":2:7: error: 'normal' expected, not '0'");
+  EXPECT_EQ(read("solid s\nfacet normal 0 1\n"), ":2:7: error: 3 numbers expected after this");
+  EXPECT_EQ(read("solid s\nfacet normal 0 0 x\n"), ":2:18: error: 'x' is not a finite number");
+  EXPECT_EQ(read("solid s\nfacet normal 0 0 1\nvertex 0 0 0\n"), ":3:1: error: 'outer' expected, not 'vertex'");
+  EXPECT_EQ(read(head + "vertex 0 0\n"), ":4:1: error: 3 numbers expected after this");
+  EXPECT_EQ(read(head + "vertex 0 0 0 0\n"), ":4:14: error: the end of the line expected, not '0'");
+  EXPECT_EQ(read(head + "vertex 0 inf 0\n"), ":4:10: error: 'inf' is not a finite number");
+  EXPECT_EQ(read(head + "vertex 0 -1e39 0\n"), ":4:10: error: '-1e39' lies outside the range of numbers (3.4e38)");
+  EXPECT_EQ(read(head + "vertex 0 0 0\nvertex 1 0 0\n" + tail), ":6:1: error: 'vertex' expected, not 'endloop'");
+  EXPECT_EQ(read(head + v3 + "vertex 1 1 0\n" + tail), ":7:1: error: 'endloop' expected, not 'vertex'");
+  EXPECT_EQ(read(head + v3 + tail + "endsolid s\nfacet\n"),
+            ":10:1: error: 'solid' or the end of the file expected, not 'facet'");
+}
+
+TEST(MeshReader, BinaryStlIsKnownByItsLength) {
+  const TemporaryFolder folder;
+  std::string text = "solid that is not text";  // as some programs begin a binary file
+  text.resize(80);
+  text += std::string("\1\0\0\0", 4);
+  const float values[12] = {0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 3, 0};
+  text.append(reinterpret_cast<const char*>(values), sizeof values);
+  text.append(2, '\0');
+  const scanline::Mesh mesh = scanline::read_mesh_file(folder.write("a.stl", text));
+  EXPECT_EQ(mesh.positions, (std::vector<glm::dvec3>{{0, 0, 0}, {2, 0, 0}, {0, 3, 0}}));
+  EXPECT_NE(refusal(folder, "b.stl", text.substr(0, text.size() - 1)), "");
 }
 
 TEST(MeshReader, PlyMistakesNameFileAndLine) {
