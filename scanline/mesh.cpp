@@ -56,7 +56,8 @@ void MeshBuilder::polygon(std::span<const std::uint32_t> vertices, std::span<con
   std::vector<glm::dvec3> points;
   points.reserve(kept.size());
   for (const std::uint32_t v : kept) points.push_back(mesh_.positions[v]);
-  if (!has_area(points)) return;
+  // The halves of a bow tie may cancel to nothing, yet it covers something: the scene warns of it.
+  if (!has_area(points) && !crosses_itself(points)) return;
 
   for (const std::size_t k : sources) {
     auto value = corners.begin() + static_cast<std::ptrdiff_t>(k) * stride_;

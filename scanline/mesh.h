@@ -38,7 +38,8 @@ struct Mesh {
 std::vector<std::uint32_t> first_corners(const PolygonList& polygons);
 
 /// Gathers a mesh polygon by polygon. Vertices of exactly equal position become one; polygons without area (fewer
-/// than three different vertices, or collinear ones) are left out silently, as real meshes have them.
+/// than three different vertices, or collinear ones) are left out silently, as real meshes have them. One that crosses
+/// itself is kept, even if its parts cancel.
 class MeshBuilder {
  public:
   struct Attribute {

@@ -69,7 +69,7 @@ double unevenness(std::span<const glm::dvec3> points) {
   const double size = size_of(points);
   const glm::dvec3 normal = newell_vector(points);
   const double length = glm::length(normal);
-  if (size == 0 || length == 0) return 0;
+  if (length <= kNoArea * size * size) return 0;
   glm::dvec3 centre{0};
   for (const glm::dvec3& p : points) centre += (p - points[0]) / static_cast<double>(points.size());
   double worst = 0;
@@ -82,9 +82,15 @@ double unevenness(std::span<const glm::dvec3> points) {
 bool crosses_itself(std::span<const glm::dvec3> points) {
   const std::size_t n = points.size();
   if (n < 4) return false;
-  const glm::dvec3 normal = glm::abs(newell_vector(points));
-  int dropped = normal.x > normal.y ? 0 : 1;
-  if (normal.z > normal[dropped]) dropped = 2;
+  // Not along Newell's vector: the two halves of a bow tie cancel in it. Their sizes do not.
+  glm::dvec3 spread{0};
+  for (std::size_t k = 1; k + 1 < n; ++k) {
+    spread += glm::abs(glm::cross(points[k] - points[0], points[k + 1] - points[0]));
+  }
+  const double size = size_of(points);
+  if (glm::length(spread) <= kNoArea * size * size) return false;  // on a line: only rounding could cross
+  int dropped = spread.x > spread.y ? 0 : 1;
+  if (spread.z > spread[dropped]) dropped = 2;
   std::vector<glm::dvec2> p;
   p.reserve(n);
   for (const glm::dvec3& q : points) p.emplace_back(q[(dropped + 1) % 3], q[(dropped + 2) % 3]);

@@ -19,7 +19,7 @@ double unevenness(std::span<const glm::dvec3> points);
 /// Above this unevenness a polygon counts as not planar: what modellers' quads commonly show stays below.
 constexpr double kPlanarTolerance = 0.01;
 
-/// True when two edges cross each other, seen along the normal. Edges that only touch or lie on one another (as in the
+/// True when two edges cross each other, seen along the axis from which most of the polygon is seen. Edges that only touch or lie on one another (as in the
 /// bridge that joins a hole to its outline) do not cross.
 bool crosses_itself(std::span<const glm::dvec3> points);
 

@@ -293,6 +293,18 @@ TEST(SceneFrame, WarnsOnceAnObjectOfCrossingAndUnevenPolygons) {
   EXPECT_TRUE(scanline::make_scene_frame(scene_of(mesh_of({good})), 1, 64, 64).warnings.empty());
 }
 
+TEST(SceneFrame, WarnsOfBowTiesWhoseHalvesCancel) {
+  const std::vector<glm::dvec3> flat{{-1, -1, 0}, {1, 1, 0}, {1, -1, 0}, {-1, 1, 0}};
+  const std::vector<glm::dvec3> bent{{-1, -1, 0}, {1, 1, 0}, {1, -1, 0}, {-1, 1, 0.3}};
+  const SceneFrame f = scanline::make_scene_frame(scene_of(mesh_of({flat})), 1, 64, 64);
+  ASSERT_EQ(f.warnings.size(), 1u);
+  EXPECT_EQ(format(f.warnings[0], "warning"), "a.toml:7: warning: object 'thing': polygon 1 crosses itself");
+  const SceneFrame g = scanline::make_scene_frame(scene_of(mesh_of({bent})), 1, 64, 64);
+  ASSERT_EQ(g.warnings.size(), 2u);
+  EXPECT_EQ(g.warnings[0].message, "object 'thing': polygon 1 crosses itself");
+  EXPECT_EQ(g.warnings[1].message, "object 'thing': polygon 1 is not planar");
+}
+
 TEST(SceneFrame, RefusesWhatCannotBe) {
   const Scene good = scene_of(scanline::make_sphere(1, 4, 4));
   EXPECT_NE(mistake([&] { scanline::make_scene_frame(good, 1, 0, 5); }), "");

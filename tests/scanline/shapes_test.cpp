@@ -185,6 +185,40 @@ TEST(Polygon, CrossingEdgesAreFound) {
   EXPECT_FALSE(scanline::crosses_itself(bridged));
 }
 
+TEST(Polygon, BowTiesCrossThoughTheirHalvesCancel) {
+  using Points = std::vector<glm::dvec3>;
+  EXPECT_TRUE(scanline::crosses_itself(Points{{-1, -1, 0}, {1, 1, 0}, {1, -1, 0}, {-1, 1, 0.3}}));
+  // The flat one, in planes of all directions: among them some in which its box is thin along the wrong axis.
+  const Points flat{{-9, -1, 0}, {9, 1, 0}, {9, -1, 0}, {-9, 1, 0}};
+  for (int turn = 0; turn < 360; turn += 15) {
+    for (int tilt = 0; tilt < 360; tilt += 15) {
+      const double a = turn * std::numbers::pi / 180, b = tilt * std::numbers::pi / 180;
+      const glm::dvec3 across(std::cos(a), 0, std::sin(a));
+      const glm::dvec3 up(-std::sin(a) * std::sin(b), std::cos(b), std::cos(a) * std::sin(b));
+      Points bow_tie, line;
+      for (const glm::dvec3& p : flat) {
+        bow_tie.push_back(across * p.x + up * p.y);
+        line.push_back(across * p.x * 0.1 + up * p.x * 0.7);
+      }
+      EXPECT_TRUE(scanline::crosses_itself(bow_tie)) << turn << ' ' << tilt;
+      EXPECT_EQ(scanline::unevenness(bow_tie), 0) << turn << ' ' << tilt;
+      EXPECT_FALSE(scanline::crosses_itself(line)) << turn << ' ' << tilt;
+    }
+  }
+}
+
+TEST(Polygon, BowTiesStayInAMesh) {
+  const std::vector<std::vector<glm::dvec3>> polygons{{{-1, -1, 0}, {1, 1, 0}, {1, -1, 0}, {-1, 1, 0}},
+                                                      {{0, 0, 0}, {1, 1, 0}, {2, 2, 0}, {3, 3, 0}}};
+  scanline::MeshBuilder builder;
+  for (const auto& points : polygons) {
+    std::vector<std::uint32_t> polygon;
+    for (const glm::dvec3& p : points) polygon.push_back(builder.vertex(p));
+    builder.polygon(polygon);
+  }
+  EXPECT_EQ(builder.take().polygons, (scanline::PolygonList{{0, 1, 2, 3}})) << "the line is dropped";
+}
+
 TEST(Polygon, AreaAndUnevenness) {
   using Points = std::vector<glm::dvec3>;
   const glm::dvec3 n = scanline::newell_vector(Points{{1, 1, 5}, {3, 1, 5}, {3, 4, 5}, {1, 4, 5}});
