@@ -7,14 +7,9 @@
 
 #include "program/number_pair.h"
 #include "program/refuse.h"
+#include "scanline/scene_frame.h"
 
 namespace program {
-namespace {
-
-// A picture of w x h needs a frame of (w + 2) x (h + 1).
-constexpr int kMostWidth = (1 << vsg::kCoordinateBits) - 1 - 2, kMostHeight = (1 << vsg::kCoordinateBits) - 1 - 1;
-
-}  // namespace
 
 void add_scene_options(CLI::App& command, SceneOptions& options) {
   command.add_option("SCENE", options.file, "Scene file (TOML)")->required();
@@ -42,9 +37,9 @@ scanline::Scene read_scene(const SceneOptions& options) {
 }
 
 void check_picture_size(std::int64_t width, std::int64_t height) {
-  if (width < 1 || height < 1 || width > kMostWidth || height > kMostHeight) {
+  if (width < 1 || height < 1 || width > scanline::kMostPictureWidth || height > scanline::kMostPictureHeight) {
     refuse(fmt::format("a picture is 1 to {} pixels wide and 1 to {} high, samples included; this one would be {} x {}",
-                       kMostWidth, kMostHeight, width, height));
+                       scanline::kMostPictureWidth, scanline::kMostPictureHeight, width, height));
   }
 }
 

@@ -10,9 +10,6 @@
 namespace scanline {
 namespace {
 
-/// Columns and scan lines that the processor can count; a picture needs a frame of (width + 2) x (height + 1).
-constexpr int kLargestFrame = (1 << vsg::kCoordinateBits) - 1;
-
 /// Beyond this, products of coordinates would leave the doubles' range or lose the picture in rounding.
 constexpr double kLargestCoordinate = 1e12;
 
@@ -210,11 +207,11 @@ class ObjectProcessor {
 }  // namespace
 
 SceneFrame make_scene_frame(const Scene& scene, double moment, int width, int height) {
-  if (width < 1 || height < 1 || width > kLargestFrame - 2 || height > kLargestFrame - 1) {
+  if (width < 1 || height < 1 || width > kMostPictureWidth || height > kMostPictureHeight) {
     throw UserError({"", 0, 0,
                      "a picture of " + std::to_string(width) + " x " + std::to_string(height) +
-                         " is not possible: it is at least 1 x 1 and at most " + std::to_string(kLargestFrame - 2) +
-                         " x " + std::to_string(kLargestFrame - 1)});
+                         " is not possible: it is at least 1 x 1 and at most " + std::to_string(kMostPictureWidth) +
+                         " x " + std::to_string(kMostPictureHeight)});
   }
   SceneFrame result;
   result.frame.width = width + 2;

@@ -7,6 +7,7 @@
 
 #include "scanline/frame.h"
 #include "scanline/scene.h"
+#include "vsg_parameters.h"
 
 namespace scanline {
 
@@ -38,6 +39,10 @@ struct SceneFrame {
 /// Depth on the screen runs from 0 (near plane) to this (far plane), linearly on the screen: half of the number range
 /// |z| < 2^16, so that an edge's slope carried past its ends still stays inside.
 constexpr double kDepthRange = 32768.0;
+
+/// The largest picture: its frame has two columns and one scan line more, and the processor counts these.
+constexpr int kMostPictureWidth = (1 << vsg::kCoordinateBits) - 1 - 2;
+constexpr int kMostPictureHeight = (1 << vsg::kCoordinateBits) - 1 - 1;
 
 /// Transforms, projects and clips against the six planes of the viewing box. `width` x `height` is the picture (after
 /// --size and --samples); `moment` is the frame number of the sequence. Polygons stand in the order of the scene.

@@ -1,18 +1,18 @@
+#include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "scanline/camera.h"
 #include "scanline/scene.h"
+#include "scanline/scene_frame.h"
 #include "scanline/scene_shapes.h"
 #include "scanline/text_reader.h"
 #include "scanline/toml_table.h"
-#include "vsg_parameters.h"
 
 namespace scanline {
 namespace {
 
 constexpr int kSceneVersion = 1;
-constexpr int kLargestPicture = (1 << vsg::kCoordinateBits) - 3;  // its frame is two columns wider
 constexpr int kLastFrame = 1'000'000;
 constexpr Range kColor{0, 1, false};
 
@@ -52,7 +52,12 @@ class SceneReader {
   }
 
   void read_picture(TomlTable& t) {
-    const glm::dvec2 size = t.vector<2>("size", {scene_.width, scene_.height}, {1, kLargestPicture});
+    const glm::dvec2 size =
+        t.vector<2>("size", {scene_.width, scene_.height}, {1, std::max(kMostPictureWidth, kMostPictureHeight)});
+    if (size.x > kMostPictureWidth || size.y > kMostPictureHeight) {
+      mistakes_.add(t.where("size"), "'size' of the scene must be at most [" + std::to_string(kMostPictureWidth) +
+                                         ", " + std::to_string(kMostPictureHeight) + "]");
+    }
     if (size != glm::floor(size)) mistakes_.add(t.where("size"), "'size' of the scene must be two whole numbers");
     scene_.width = static_cast<int>(size.x);
     scene_.height = static_cast<int>(size.y);

@@ -309,7 +309,8 @@ TEST(SceneFrame, RefusesWhatCannotBe) {
   const Scene good = scene_of(scanline::make_sphere(1, 4, 4));
   EXPECT_NE(mistake([&] { scanline::make_scene_frame(good, 1, 0, 5); }), "");
   EXPECT_NE(mistake([&] { scanline::make_scene_frame(good, 1, 5, 8191); }), "");
-  EXPECT_EQ(mistake([&] { scanline::make_scene_frame(good, 1, 8189, 1); }), "");
+  EXPECT_NE(mistake([&] { scanline::make_scene_frame(good, 1, 8190, 5); }), "");
+  EXPECT_EQ(mistake([&] { scanline::make_scene_frame(good, 1, 8189, 8190); }), "");
   const Scene far = scene_of(scanline::make_sphere(1, 4, 4), {0, {1e12, 1e12, 1e12}, {}, {1e6, 1e6, 1e6}});
   EXPECT_EQ(mistake([&] { scanline::make_scene_frame(far, 1, 64, 64); }),
             "a.toml:7: error: object 'thing': a vertex lies outside the range of numbers (1e12)");
