@@ -1,4 +1,4 @@
-// A scene as its file tells it (TOML, scenes/README.md): camera, objects, lights, background, size. Units are the
+// A scene as its file tells it (TOML, docs/formats.md): camera, objects, lights, background, size. Units are the
 // scene's own, right-handed, y up; angles in degrees; colours linear 0 to 1 unless a shader says otherwise.
 #pragma once
 
