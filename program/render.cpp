@@ -213,7 +213,7 @@ void add_render(CLI::App& app, const std::string& command_line) {
   options->picture.generator.replay = command_line;
   command
       ->add_flag("--frame-coherence", options->picture.generator.frame_coherence,
-                 "In a sequence, sample at edges that were visible in the frame before (golden model)")
+                 "In a sequence, sample at edges that were visible in the frame before (golden model, then the default)")
       ->group("Machine");
   command->add_option("--trace", options->picture.generator.trace, "Write the waveform of the RTL")
       ->type_name("FILE.fst")
@@ -231,7 +231,12 @@ void add_render(CLI::App& app, const std::string& command_line) {
   command->add_option("--stats", options->stats, "Write counters, scan lines and times")
       ->type_name("FILE.json")
       ->group("Reports");
-  command->callback([options] { run_render(*options); });
+  command->callback([options, command] {
+    if (options->picture.generator.frame_coherence && command->count("--vsg") == 0) {
+      options->picture.generator.vsg = "model";  // the only one that has it
+    }
+    run_render(*options);
+  });
 }
 
 }  // namespace program

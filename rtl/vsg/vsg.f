@@ -1,4 +1,4 @@
-// File list of the Visible Segment Generator; paths from the project's root. Verilator takes vsg.vlt with its waivers too.
+// File list of the Visible Segment Generator; paths from the project's root. Verilator takes rtl/vsg.vlt with its waivers too.
 +incdir+rtl/vsg
 rtl/vsg/vsg_pkg.sv
 rtl/vsg/segment_memory.sv

@@ -199,6 +199,21 @@ TEST_F(Render, ASequenceIsAPictureAFrame) {
   EXPECT_EQ(read("b-0002.png"), read("a-0002.png"));
 }
 
+TEST_F(Render, FrameCoherenceSamplesAtEdgesOfTheFrameBefore) {
+  const std::string scene = project_file("scenes/sequence.toml");
+  const Outcome result = run({"render", scene, "-o", "s%04d.png", "--frames", "1-3", "--size", "64x64", "--frame-coherence",
+                              "--stats", "s.json"});
+  ASSERT_EQ(result.status, 0) << result.err;  // without --vsg: the golden model, which has it
+  const json frames = json::parse(read("s.json")).at("frames");
+  ASSERT_EQ(frames.size(), 3u);
+  EXPECT_EQ(frames[0].at("coherence_samples"), 0);
+  EXPECT_GT(frames[1].at("coherence_samples").get<int>(), 0);
+  EXPECT_GT(frames[2].at("coherence_samples").get<int>(), 0);
+
+  EXPECT_EQ(run({"render", scene, "-o", "s%04d.png", "--frames", "1-2", "--frame-coherence", "--vsg", "rtl"}).status, 1);
+  EXPECT_EQ(run({"render", scene, "-o", "one.png", "--frame-coherence"}).status, 1);
+}
+
 TEST_F(Render, StatisticsAddUp) {
   write("scene.toml", flat_scene(32, 24, kSphere));
   render({"scene.toml", "-o", "a.png", "--stats", "s.json"});
