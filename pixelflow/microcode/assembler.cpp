@@ -1,0 +1,1 @@
+#include "pixelflow/microcode/assembler.h"

@@ -1,0 +1,3 @@
+// Writes instruction streams for the pixel processors.
+#pragma once
+#include "cmodel/pixelflow/program.h"
