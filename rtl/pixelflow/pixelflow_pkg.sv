@@ -97,4 +97,24 @@ package pixelflow_pkg;
     wide_t w;
   } registers_t;
 
+  // What imm names when Q is the port, beyond the bytes of the packet.
+  localparam logic [7:0] PortColumn = 8'h80;
+  localparam logic [7:0] PortRow    = 8'h81;
+
+  // Number of an element in its chip.
+  localparam int unsigned LaneWidth = Elements > 1 ? $clog2(Elements) : 1;
+  typedef logic [LaneWidth-1:0] lane_t;
+
+  // A packet of the composition network; its first byte is the least significant one, depth is unsigned.
+  typedef struct packed {
+    logic [8*(PacketBytes-DepthBytes)-1:0] data;
+    logic [8*DepthBytes-1:0]               depth;
+  } packet_t;
+
+  // What the composition port passes on: own packets alone (the first node, or final colours), the closer of own and
+  // upstream, upstream alone (colours of another node), or for further packets of the same pixels what won last.
+  typedef enum logic [1:0] {ComposeOwn = 2'd0, ComposeCloser = 2'd1, ComposeUpstream = 2'd2, ComposeRepeat = 2'd3} compose_e;
+
+  typedef logic [63:0] count_t;
+
 endpackage
