@@ -1,0 +1,92 @@
+#include "tb/pixelflow/rtl_array.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "tb/pixelflow/pixel_chip.h"
+
+namespace tb {
+namespace {
+
+class RtlArray final : public pixelflow::PixelArray {
+ public:
+  explicit RtlArray(int lanes) : lanes_(lanes) {
+    if (lanes <= 0 || lanes % pixelflow::kElements != 0) {
+      throw std::invalid_argument("the array has whole chips of " + std::to_string(pixelflow::kElements) + " elements, not " +
+                                  std::to_string(lanes) + " elements");
+    }
+    for (int chip = 0; chip < lanes / pixelflow::kElements; ++chip) {
+      chips_.push_back(make_pixel_chip());
+      chips_.back()->reset(chip);
+    }
+  }
+
+  int lanes() const override { return lanes_; }
+
+  void write(int address, std::span<const std::uint8_t> bytes) override {
+    check(bytes.size());
+    for (std::size_t c = 0; c < chips_.size(); ++c) {
+      std::ranges::copy(bytes.subspan(c * pixelflow::kElements, pixelflow::kElements),
+                        chips_[c]->row(ChipRow::Memory, address).begin());
+    }
+  }
+  void read(int address, std::span<std::uint8_t> bytes) const override {
+    check(bytes.size());
+    for (std::size_t c = 0; c < chips_.size(); ++c) {
+      std::ranges::copy(chips_[c]->row(ChipRow::Memory, address), bytes.begin() + c * pixelflow::kElements);
+    }
+  }
+  void place(std::span<const std::uint8_t> columns, std::span<const std::uint8_t> rows) override {
+    check(columns.size());
+    check(rows.size());
+    for (int i = 0; i < lanes_; ++i) chips_[i / pixelflow::kElements]->place(i % pixelflow::kElements, columns[i], rows[i]);
+  }
+
+  void run(const pixelflow::Program& program) override {
+    stream_.assign(program.instructions.begin(), program.instructions.end());
+    stream_.push_back({.kind = pixelflow::Kind::Control, .fn = static_cast<std::uint8_t>(pixelflow::Control::End)});
+    const ChipCounters first = chips_.front()->run(stream_);
+    for (std::size_t c = 1; c < chips_.size(); ++c) {
+      const ChipCounters other = chips_[c]->run(stream_);
+      if (other.executed != first.executed || other.instructions != first.instructions) {
+        throw std::logic_error("chip " + std::to_string(c) + " counts " + std::to_string(other.executed) + " cycles, chip 0 " +
+                               std::to_string(first.executed));
+      }
+    }
+    // The End that stops the chip is no part of the program.
+    counters_.cycles += first.executed - 1;
+    counters_.instructions += first.instructions - 1;
+    counters_.element_cycles = counters_.simulated_element_cycles = counters_.cycles * static_cast<std::uint64_t>(lanes_);
+  }
+
+  pixelflow::Registers registers(int lane) const override {
+    if (lane < 0 || lane >= lanes_) throw std::invalid_argument("the array has no element " + std::to_string(lane));
+    PixelChip& chip = *chips_[lane / pixelflow::kElements];
+    const int i = lane % pixelflow::kElements;
+    const auto flag = [&](ChipRow row) { return chip.row(row)[i] != 0; };
+    return {flag(ChipRow::E), flag(ChipRow::K), flag(ChipRow::S), flag(ChipRow::Z), flag(ChipRow::C),
+            chip.row(ChipRow::M)[i], chip.row(ChipRow::X)[i], chip.wide()[i]};
+  }
+
+  pixelflow::ArrayCounters counters() const override { return counters_; }
+
+ private:
+  void check(std::size_t size) const {
+    if (size != static_cast<std::size_t>(lanes_)) {
+      throw std::invalid_argument("a row of the array has " + std::to_string(lanes_) + " bytes, not " + std::to_string(size));
+    }
+  }
+
+  int lanes_;
+  std::vector<std::unique_ptr<PixelChip>> chips_;
+  std::vector<pixelflow::Instruction> stream_;
+  pixelflow::ArrayCounters counters_;
+};
+
+}  // namespace
+
+std::unique_ptr<pixelflow::PixelArray> make_rtl_array(int lanes) { return std::make_unique<RtlArray>(lanes); }
+
+}  // namespace tb
