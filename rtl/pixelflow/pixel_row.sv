@@ -487,7 +487,7 @@ module pixel_row (
       for (int unsigned b = 0; b < PacketBytes; b++) inbound_q[b][inbound_lane_i] = inbound_packet_i[8*b +: 8];
     end
     if (outbound_re_i) begin
-      for (int unsigned b = 0; b < PacketBytes; b++) outbound_packet_q[8*b +: 8] = outbound_q[b][outbound_lane_i];
+      for (int unsigned b = 0; b < PacketBytes; b++) outbound_packet_q[8*b +: 8] <= outbound_q[b][outbound_lane_i];
     end
   end
 

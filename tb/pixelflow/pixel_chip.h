@@ -21,6 +21,7 @@ struct ChipCounters {
   std::uint64_t inbound_waits = 0;  ///< packets had not arrived
   std::uint64_t send_waits = 0;     ///< the last outbound packets were still being sent
   std::uint64_t instructions = 0;   ///< taken from the stream, End included
+  std::uint64_t clocks = 0;         ///< from the start until the chip was done, counted outside of it
 };
 
 /// A row of the elements' state: a byte an element, flags 0 or 1.

@@ -99,7 +99,7 @@ class PixelChipDriver final : public PixelChip {
     tick();
     top_->start_i = 0;
     const bool alone = !around.load && !around.upstream && !around.receiver_ready && !around.received && !around.executed;
-    std::uint64_t idle = 0;
+    std::uint64_t idle = 0, clocks = 0;
     for (std::uint64_t cycle = 0; !top_->done_o || top_->sending_o || top_->valid_o; ++cycle) {
       top_->stream_valid_i = next < words_.size() && (!around.stream_offered || around.stream_offered());
       if (top_->stream_valid_i) {
@@ -107,6 +107,7 @@ class PixelChipDriver final : public PixelChip {
         next += top_->stream_ready_o;
       }
       const std::uint64_t before = top_->executed_o;
+      clocks += !top_->done_o;
       if (alone) {
         tick();
       } else {
@@ -119,7 +120,8 @@ class PixelChipDriver final : public PixelChip {
       }
     }
     top_->stream_valid_i = 0;
-    return {top_->executed_o, top_->stream_waits_o, top_->inbound_waits_o, top_->send_waits_o, top_->instructions_o};
+    return {top_->executed_o, top_->stream_waits_o, top_->inbound_waits_o, top_->send_waits_o, top_->instructions_o,
+            clocks};
   }
 
  private:
