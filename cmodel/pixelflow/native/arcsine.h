@@ -44,7 +44,7 @@ PIXELFLOW_INLINE Arcsine arcsine_of(uint32_t a) {
   const uint32_t scaled = ((a & 0x7FFFFFu) | 0x800000u) << (a == kOne ? 1 : 0);  // |x| * 2^24 in the upper half
   const Normal root = root_of(normalise((1u << 24) - scaled, 6));
   const Normal plain = split(a);
-  const Normal s = {upper ? root.significand : plain.significand, upper ? root.exponent : plain.exponent};
+  const Normal s = select(upper, root, plain);
   const uint32_t s_fixed = shift_right(s.significand, -1 - s.exponent);
   const uint32_t p = Fast ? fast_arcsine_polynomial(s_fixed) : arcsine_polynomial(s_fixed);
   const Normal value = product(s.significand, p, upper ? s.exponent + 1 : s.exponent);
@@ -57,9 +57,7 @@ PIXELFLOW_INLINE uint32_t arcsine(uint32_t x) {
   const Arcsine v = arcsine_of<Fast>(a > kOne ? kOne : a);
   const Normal upper = normalise(kHalfPiQ30 - v.fixed, 1);
   const bool is_upper = a >= 0x3F000000u;
-  const Normal value = {is_upper ? upper.significand : v.value.significand,
-                        is_upper ? upper.exponent : v.value.exponent};
-  const uint32_t rounded = round_normal(sign_of(x), value);
+  const uint32_t rounded = round_normal(sign_of(x), select(is_upper, upper, v.value));
   const uint32_t result = a < 0x33800000u ? x : rounded;
   return a > kOne ? kNan : result;
 }
@@ -74,8 +72,7 @@ PIXELFLOW_INLINE uint32_t arccosine(uint32_t x) {
   const uint32_t signed_v = (negative != upper) ? v.fixed : 0u - v.fixed;
   const Normal fixed = normalise(base + signed_v, 1);
   const bool direct = upper & !negative;
-  const Normal value = {direct ? v.value.significand : fixed.significand, direct ? v.value.exponent : fixed.exponent};
-  const uint32_t rounded = round_normal(0, value);
+  const uint32_t rounded = round_normal(0, select(direct, v.value, fixed));
   const uint32_t result = x == kOne ? 0u : rounded;
   return a > kOne ? kNan : result;
 }

@@ -45,9 +45,9 @@ PIXELFLOW_INLINE uint32_t arctangent(uint32_t y, uint32_t x) {
   const Normal above = split(small);
   const Normal below = split(large);
   const uint32_t numerator = above.significand - 1;
-  const bool halve = numerator >= below.significand;
-  const uint32_t quotient = divide_fraction<32>(halve ? numerator >> 1 : numerator, below.significand).quotient;
-  const int32_t exponent = above.exponent - below.exponent - (halve ? 0 : 1);
+  const uint32_t halve = numerator >= below.significand ? 1u : 0u;
+  const uint32_t quotient = divide_fraction<32>(numerator >> halve, below.significand).quotient;
+  const int32_t exponent = above.exponent - below.exponent - 1 + static_cast<int32_t>(halve);
   const uint32_t q = shift_right(quotient, -1 - exponent);
   const uint32_t p = Fast ? fast_arctangent_polynomial(q) : arctangent_polynomial(q);
   const Normal v = product(quotient, p, exponent - 1);
@@ -58,8 +58,7 @@ PIXELFLOW_INLINE uint32_t arctangent(uint32_t y, uint32_t x) {
   const uint32_t signed_v = (steep & negative) ? fixed : 0u - fixed;
   const Normal turned = normalise(base + signed_v, 1);
   const bool direct = !steep & !negative;
-  const Normal value = {direct ? v.significand : turned.significand, direct ? v.exponent : turned.exponent};
-  const uint32_t rounded = round_any(sign_of(y), value);
+  const uint32_t rounded = round_any(sign_of(y), select(direct, v, turned));
   const uint32_t result = (direct & zero) ? sign_of(y) : rounded;
   return (is_nan(x) | is_nan(y)) ? kNan : result;
 }

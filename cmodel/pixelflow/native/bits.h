@@ -45,6 +45,17 @@ PIXELFLOW_INLINE uint64_t multiply_40(uint64_t a, uint64_t b) {
   return ((a_low * b_low) >> 32) + a_high * b_low + a_low * b_high + ((a_high * b_high) << 32);
 }
 
+// condition ? a : b, condition 0 or 1, without a branch: the compiler makes one out of several choices by one condition.
+PIXELFLOW_INLINE uint32_t select(uint32_t condition, uint32_t a, uint32_t b) { return b ^ ((a ^ b) & (0u - condition)); }
+PIXELFLOW_INLINE uint64_t select_wide(uint32_t condition, uint64_t a, uint64_t b) {
+  return b ^ ((a ^ b) & (uint64_t{0} - condition));
+}
+PIXELFLOW_INLINE Normal select(uint32_t condition, Normal a, Normal b) {
+  const uint32_t exponent =
+      select(condition, static_cast<uint32_t>(a.exponent), static_cast<uint32_t>(b.exponent));
+  return {select(condition, a.significand, b.significand), static_cast<int32_t>(exponent)};
+}
+
 // Shifts by a count of the element; zero when nothing is left.
 PIXELFLOW_INLINE uint32_t shift_right(uint32_t value, int32_t count) {
   return count > 31 ? 0u : value >> (count & 31);
@@ -60,15 +71,17 @@ PIXELFLOW_INLINE uint32_t shift_right_sticky(uint32_t value, int32_t count) {
   return kept | (back != value ? 1u : 0u);
 }
 
-// Shifts left until bit 31 is set, by 16, 8, 4, 2, 1; exponent falls by the count. Zero stays zero.
+// Shifts left until bit 31 is set, by 16, 8, 4, 2, 1; exponent falls by the count. Zero stays zero. By recursion, here and
+// below: the compiler unrolls few loops before it looks for vectors.
+template <int Step = 16>
 PIXELFLOW_INLINE Normal normalise(uint32_t value, int32_t exponent) {
-#pragma GCC unroll 5
-  for (int step = 16; step > 0; step >>= 1) {
-    const bool clear = (value >> (32 - step)) == 0;
-    value = clear ? value << step : value;
-    exponent = clear ? exponent - step : exponent;
+  const bool clear = (value >> (32 - Step)) == 0;
+  const Normal next = {clear ? value << Step : value, clear ? exponent - Step : exponent};
+  if constexpr (Step == 1) {
+    return next;
+  } else {
+    return normalise<Step / 2>(next.significand, next.exponent);
   }
-  return {value, exponent};
 }
 
 // The same of 8 bytes, down to bit 63; the value is significand * 2^(exponent - 63) then.
@@ -76,14 +89,15 @@ struct WideNormal {
   uint64_t significand;
   int32_t exponent;
 };
+template <int Step = 32>
 PIXELFLOW_INLINE WideNormal normalise_wide(uint64_t value, int32_t exponent) {
-#pragma GCC unroll 6
-  for (int step = 32; step > 0; step >>= 1) {
-    const bool clear = (value >> (64 - step)) == 0;
-    value = clear ? value << step : value;
-    exponent = clear ? exponent - step : exponent;
+  const bool clear = (value >> (64 - Step)) == 0;
+  const WideNormal next = {clear ? value << Step : value, clear ? exponent - Step : exponent};
+  if constexpr (Step == 1) {
+    return next;
+  } else {
+    return normalise_wide<Step / 2>(next.significand, next.exponent);
   }
-  return {value, exponent};
 }
 
 // A finite magnitude as a Normal number; subnormals are normalised. Zero gives significand 0.
@@ -119,8 +133,7 @@ PIXELFLOW_INLINE Quotient divide_bit(Quotient state, uint32_t divisor) {
   return {(state.quotient << 1) | take, doubled - (take != 0 ? divisor : 0u)};
 }
 
-// Bits of numerator / divisor below the point; numerator < divisor. Unrolled by recursion: the compiler unrolls no loop of
-// 32 rounds before it looks for vectors.
+// Bits of numerator / divisor below the point; numerator < divisor.
 template <int Bits>
 PIXELFLOW_INLINE Quotient divide_more(Quotient state, uint32_t divisor) {
   if constexpr (Bits == 0) {

@@ -12,20 +12,14 @@
 namespace pixelflow::native {
 namespace {
 
-// A loop a function, compiled for the widest vectors of the machine that it runs on.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define PIXELFLOW_BATCH [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
-#else
-#define PIXELFLOW_BATCH
-#endif
-
-#define PIXELFLOW_UNARY(function)                                                            \
-  PIXELFLOW_BATCH void batch_##function(const uint32_t* x, uint32_t* result, std::size_t n) { \
-    _Pragma("GCC ivdep") for (std::size_t i = 0; i < n; ++i) result[i] = function(x[i]);      \
+// Free of branches, so that the compiler works a whole vector of arguments at a time.
+#define PIXELFLOW_UNARY(function)                                                             \
+  void batch_##function(const uint32_t* x, uint32_t* result, std::size_t count) {             \
+    _Pragma("GCC ivdep") for (std::size_t i = 0; i < count; ++i) result[i] = function(x[i]);  \
   }
-#define PIXELFLOW_BINARY(function)                                                                               \
-  PIXELFLOW_BATCH void batch_##function(const uint32_t* x, const uint32_t* y, uint32_t* result, std::size_t n) { \
-    _Pragma("GCC ivdep") for (std::size_t i = 0; i < n; ++i) result[i] = function(x[i], y[i]);                   \
+#define PIXELFLOW_BINARY(function)                                                                      \
+  void batch_##function(const uint32_t* x, const uint32_t* y, uint32_t* result, std::size_t count) {    \
+    _Pragma("GCC ivdep") for (std::size_t i = 0; i < count; ++i) result[i] = function(x[i], y[i]);      \
   }
 
 PIXELFLOW_UNARY(sin)

@@ -17,24 +17,25 @@ inline constexpr uint32_t kLn2Q32 = 2977044472u;
 struct Logarithm {
   uint64_t significand;  // 6 bytes, bit 47 set, or 0; the value is significand * 2^(exponent - 47)
   int32_t exponent;
-  bool negative;
+  uint32_t negative;  // 0 or 1
 };
 
 // Of a positive finite magnitude.
 PIXELFLOW_INLINE Logarithm logarithm_of(uint32_t a) {
   const Normal x = split(a);
   const uint32_t m = x.significand >> 8;  // 24 bits
-  const bool below_one = m >= 0xC00000u;
-  const int32_t whole = x.exponent + (below_one ? 1 : 0);
-  const uint32_t difference = below_one ? 0x1000000u - m : m - 0x800000u;
-  const uint32_t sum = m + (below_one ? 0x1000000u : 0x800000u);  // 25 bits, the top one set
+  const uint32_t below_one = m >= 0xC00000u ? 1u : 0u;
+  const int32_t whole = x.exponent + static_cast<int32_t>(below_one);
+  const uint32_t one = 0x800000u << below_one;
+  const uint32_t difference = select(below_one, one - m, m - one);
+  const uint32_t sum = m + one;  // 25 bits, the top one set
   const uint32_t divisor = sum << 7;
   const Normal above = normalise(difference, 7);
-  const bool halve = above.significand >= divisor;
-  const Quotient first = divide_fraction<32>(halve ? above.significand >> 1 : above.significand, divisor);
+  const uint32_t halve = above.significand >= divisor ? 1u : 0u;
+  const Quotient first = divide_fraction<32>(above.significand >> halve, divisor);
   const Quotient second = divide_fraction<8>(first.remainder, divisor);
   const uint64_t s = (uint64_t{first.quotient} << 8) | second.quotient;  // s * 2^(exponent - 40), exponent <= -2
-  const int32_t exponent = above.exponent + (halve ? 1 : 0);
+  const int32_t exponent = above.exponent + static_cast<int32_t>(halve);
 
   const uint32_t s4 = shift_right(first.quotient, -2 - exponent);  // 4 s in Q0.32
   const uint32_t w = multiply_high(s4, s4);
@@ -45,11 +46,13 @@ PIXELFLOW_INLINE Logarithm logarithm_of(uint32_t a) {
   const uint64_t p = 198282496599u + multiply_high(w, g);  // Q4.36
   const uint64_t log_m = multiply_40(s, p);                // below 2^46, units of 2^(exponent - 44)
 
-  const bool negative = whole != 0 ? whole < 0 : below_one;
+  const uint32_t has_integer = whole != 0 ? 1u : 0u;
+  const uint32_t negative = select(has_integer, static_cast<uint32_t>(whole) >> 31, below_one);
   const uint64_t part = shift_right_wide(log_m, 4 - exponent);
-  const uint64_t integer = static_cast<uint64_t>(static_cast<uint32_t>(whole < 0 ? -whole : whole)) << 40;
-  const uint64_t fixed = below_one == negative ? integer + part : integer - part;
-  const WideNormal value = normalise_wide((whole != 0 ? fixed : log_m << 2) << 16, whole != 0 ? 7 : exponent + 1);
+  const uint64_t integer = uint64_t{static_cast<uint32_t>(whole < 0 ? -whole : whole)} << 40;
+  const uint64_t fixed = select_wide(below_one ^ negative, integer - part, integer + part);
+  const int32_t unit = static_cast<int32_t>(select(has_integer, 7u, static_cast<uint32_t>(exponent + 1)));
+  const WideNormal value = normalise_wide(select_wide(has_integer, fixed, log_m << 2) << 16, unit);
   return {value.significand >> 16, value.exponent, negative};
 }
 
@@ -61,8 +64,8 @@ PIXELFLOW_INLINE Logarithm fast_logarithm_of(uint32_t a) {
   p = 793129986396u - ((u * p) >> 24);
   const uint64_t fraction = (u * p) >> 24;
   const uint64_t sum = (static_cast<uint64_t>(static_cast<int64_t>(x.exponent)) << 39) + fraction;
-  const bool negative = (sum >> 63) != 0;
-  const WideNormal value = normalise_wide((negative ? uint64_t{0} - sum : sum) << 16, 8);
+  const uint32_t negative = static_cast<uint32_t>(sum >> 63);
+  const WideNormal value = normalise_wide(select_wide(negative, uint64_t{0} - sum, sum) << 16, 8);
   return {value.significand >> 16, value.exponent, negative};
 }
 
@@ -72,8 +75,8 @@ PIXELFLOW_INLINE uint32_t logarithm(uint32_t x, bool natural) {
   const Logarithm log = Fast ? fast_logarithm_of(a) : logarithm_of(a);
   const uint32_t significand = static_cast<uint32_t>(log.significand >> 16);
   const Normal scaled = product(significand, kLn2Q32, log.exponent - 1);
-  const Normal value = {natural ? scaled.significand : significand, natural ? scaled.exponent : log.exponent};
-  const uint32_t rounded = round_normal(log.negative ? kSignBit : 0u, value);
+  const Normal value = natural ? scaled : Normal{significand, log.exponent};
+  const uint32_t rounded = round_normal(log.negative << 31, value);
   const uint32_t finite = x == kOne ? 0u : rounded;
   const uint32_t positive = x == kInfinity ? kInfinity : finite;
   const uint32_t result = (is_nan(x) | (sign_of(x) != 0)) ? kNan : positive;

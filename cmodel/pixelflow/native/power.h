@@ -12,8 +12,8 @@
 namespace pixelflow::native {
 
 struct Parity {
-  bool integer;
-  bool odd;
+  uint32_t integer;  // 0 or 1
+  uint32_t odd;
 };
 
 PIXELFLOW_INLINE Parity parity_of(uint32_t a) {
@@ -21,18 +21,17 @@ PIXELFLOW_INLINE Parity parity_of(uint32_t a) {
   const uint32_t m = (a & 0x7FFFFFu) | 0x800000u;
   const int32_t fraction_bits = 150 - field;
   const uint32_t mask = (1u << (fraction_bits & 31)) - 1u;
-  const bool whole = (field >= 127) & (field <= 150) & ((m & mask) == 0);
-  const bool integer = (field > 150) | whole | (a == 0);
-  const bool odd = whole & (((m >> (fraction_bits & 31)) & 1u) != 0);
-  return {integer, odd};
+  const uint32_t whole = ((field >= 127) & (field <= 150) & ((m & mask) == 0)) ? 1u : 0u;
+  const uint32_t integer = ((field > 150) | (a == 0)) ? 1u : whole;
+  return {integer, whole & (m >> (fraction_bits & 31))};
 }
 
 PIXELFLOW_INLINE uint32_t pow(uint32_t x, uint32_t y) {
   const uint32_t ax = magnitude(x);
   const uint32_t ay = magnitude(y);
-  const bool y_negative = sign_of(y) != 0;
+  const uint32_t y_negative = y >> 31;
   const Parity parity = parity_of(ay);
-  const uint32_t sign = parity.odd ? sign_of(x) : 0u;
+  const uint32_t sign = sign_of(x) & (0u - parity.odd);
 
   const Logarithm log = logarithm_of(ax);
   const Normal factor = split(ay);
@@ -40,13 +39,13 @@ PIXELFLOW_INLINE uint32_t pow(uint32_t x, uint32_t y) {
   const int32_t exponent = log.exponent + factor.exponent;  // of units of 2^-62
   const uint64_t fixed = shift_right_wide(exact, 30 - (exponent > 7 ? 7 : exponent));
   const bool large = ((exponent > 7) | (fixed > kLargestQ32)) & (exact != 0);
-  const uint32_t value = power_of_two<false>(sign, log.negative != y_negative, large ? kLargestQ32 : fixed);
+  const uint32_t value = power_of_two<false>(sign, (log.negative ^ y_negative) != 0, large ? kLargestQ32 : fixed);
 
   const bool extreme = (ax == 0) | (ax == kInfinity) | ((ay == kInfinity) & (ax != kOne));
-  const bool infinite = (ax > kOne) != y_negative;
+  const bool infinite = (ax > kOne) != (y_negative != 0);
   const uint32_t limit = sign | (infinite ? kInfinity : 0u);
   const uint32_t number = extreme ? limit : value;
-  const bool invalid = (sign_of(x) != 0) & !parity.integer & !extreme;
+  const bool invalid = (sign_of(x) != 0) & (parity.integer == 0) & !extreme;
   const uint32_t result = (invalid | is_nan(x) | is_nan(y)) ? kNan : number;
   return ((ay == 0) | (x == kOne)) ? kOne : result;
 }

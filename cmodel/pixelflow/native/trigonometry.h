@@ -97,15 +97,13 @@ PIXELFLOW_INLINE Ratio fast_tangent_of_eighth(uint64_t t) {
 }
 
 // Numerator / denominator, or its inverse: both are normalised, so that the quotient has 32 bits.
-PIXELFLOW_INLINE Normal divide_ratio(Ratio ratio, bool invert) {
+PIXELFLOW_INLINE Normal divide_ratio(Ratio ratio, uint32_t invert) {
   const Normal bottom = {ratio.denominator, -1};
-  const uint32_t above = invert ? bottom.significand : ratio.numerator.significand;
-  const uint32_t below = invert ? ratio.numerator.significand : bottom.significand;
-  const int32_t exponent = invert ? bottom.exponent - ratio.numerator.exponent
-                                  : ratio.numerator.exponent - bottom.exponent;
-  const bool halve = above >= below;
-  const uint32_t quotient = divide_fraction<32>(halve ? above >> 1 : above, below).quotient;
-  return {quotient, halve ? exponent : exponent - 1};
+  const Normal above = select(invert, bottom, ratio.numerator);
+  const Normal below = select(invert, ratio.numerator, bottom);
+  const uint32_t halve = above.significand >= below.significand ? 1u : 0u;
+  const uint32_t quotient = divide_fraction<32>(above.significand >> halve, below.significand).quotient;
+  return {quotient, above.exponent - below.exponent - 1 + static_cast<int32_t>(halve)};
 }
 
 template <bool Fast>
@@ -131,12 +129,11 @@ template <bool Fast>
 PIXELFLOW_INLINE uint32_t tangent(uint32_t x) {
   const uint32_t a = magnitude(x);
   const Quadrant angle = reduce_angle(a);
-  const bool fold = (angle.fraction >> 63) != 0;
-  const bool odd = (angle.number & 1u) != 0;
-  const uint64_t t = fold ? ~angle.fraction : angle.fraction;
+  const uint32_t fold = static_cast<uint32_t>(angle.fraction >> 63);
+  const uint64_t t = select_wide(fold, ~angle.fraction, angle.fraction);
   const Ratio ratio = Fast ? fast_tangent_of_eighth(t) : tangent_of_eighth(t);
   const uint32_t sign = sign_of(x) ^ (angle.number << 31);
-  const uint32_t reduced = round_normal(sign, divide_ratio(ratio, fold != odd));
+  const uint32_t reduced = round_normal(sign, divide_ratio(ratio, fold ^ (angle.number & 1u)));
   const uint32_t finite = a < 0x33800000u ? x : reduced;
   return a >= kInfinity ? kNan : finite;
 }
