@@ -1,0 +1,164 @@
+#include "cmodel/pixelflow/golden_array.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "cmodel/pixelflow/macro.h"
+
+namespace pixelflow {
+namespace {
+
+/// Elements of the tile that an operation at the macro level computes.
+int enabled_groups_elements(const PixelRow& tile) {
+  constexpr int kGroup = 64;
+  int elements = 0;
+  for (int first = 0; first < tile.lanes(); first += kGroup) {
+    const std::uint8_t* const e = tile.enable() + first;
+    const int size = std::min(kGroup, tile.lanes() - first);
+    if (std::find(e, e + size, 0xFF) != e + size) elements += size;
+  }
+  return elements;
+}
+
+void check_size(std::size_t given, int lanes) {
+  if (given != static_cast<std::size_t>(lanes)) {
+    throw std::invalid_argument("the array has " + std::to_string(lanes) + " elements, not " + std::to_string(given));
+  }
+}
+
+void check_address(int address) {
+  if (address < 0 || address >= kMemoryBytes) {
+    throw std::invalid_argument("an element has " + std::to_string(kMemoryBytes) +
+                                " bytes of memory; there is no byte " + std::to_string(address));
+  }
+}
+
+}  // namespace
+
+GoldenArray::GoldenArray(Level level, int lanes, int multiplier_bits)
+    : level_(level), lanes_(lanes), multiplier_bits_(multiplier_bits) {
+  if (level == Level::Rtl) throw std::invalid_argument("the golden model has the levels model and macro");
+  if (lanes < 1) throw std::invalid_argument("an array has at least one element, not " + std::to_string(lanes));
+  if (multiplier_bits != 1 && multiplier_bits != 2 && multiplier_bits != 4 && multiplier_bits != 8) {
+    throw std::invalid_argument("a digit of the multiplier has 1, 2, 4 or 8 bits, not " +
+                                std::to_string(multiplier_bits));
+  }
+  if (level == Level::Macro) check_host_arithmetic();
+  for (int first = 0; first < lanes; first += PixelRow::kLanes) {
+    PixelRow& tile = tiles_.emplace_back(std::min(PixelRow::kLanes, lanes - first));
+    for (int n = 0; n < tile.lanes(); ++n) {
+      tile.columns()[n] = static_cast<std::uint8_t>((first + n) % kRegionWidth);
+      tile.rows()[n] = static_cast<std::uint8_t>((first + n) / kRegionWidth % kRegionHeight);
+    }
+  }
+}
+
+void GoldenArray::write(int address, std::span<const std::uint8_t> bytes) {
+  check_address(address);
+  check_size(bytes.size(), lanes_);
+  std::size_t first = 0;
+  for (PixelRow& tile : tiles_) {
+    const auto part = bytes.subspan(first, static_cast<std::size_t>(tile.lanes()));
+    std::copy(part.begin(), part.end(), tile.memory(address));
+    first += part.size();
+  }
+}
+
+void GoldenArray::read(int address, std::span<std::uint8_t> bytes) const {
+  check_address(address);
+  check_size(bytes.size(), lanes_);
+  auto to = bytes.begin();
+  for (const PixelRow& tile : tiles_) to = std::copy_n(tile.memory(address), tile.lanes(), to);
+}
+
+void GoldenArray::place(std::span<const std::uint8_t> columns, std::span<const std::uint8_t> rows) {
+  check_size(columns.size(), lanes_);
+  check_size(rows.size(), lanes_);
+  std::size_t first = 0;
+  for (PixelRow& tile : tiles_) {
+    std::copy_n(columns.begin() + static_cast<std::ptrdiff_t>(first), tile.lanes(), tile.columns());
+    std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(first), tile.lanes(), tile.rows());
+    first += static_cast<std::size_t>(tile.lanes());
+  }
+}
+
+Registers GoldenArray::registers(int lane) const {
+  if (lane < 0 || lane >= lanes_) {
+    throw std::invalid_argument("the array has " + std::to_string(lanes_) + " elements; there is no element " +
+                                std::to_string(lane));
+  }
+  return tiles_[static_cast<std::size_t>(lane / PixelRow::kLanes)].registers(lane % PixelRow::kLanes);
+}
+
+void GoldenArray::check_program(const Program& program) const {
+  std::uint64_t next = 0;
+  for (std::size_t n = 0; n < program.steps.size(); ++n) {
+    const Step& step = program.steps[n];
+    if (step.first != next) {
+      throw std::invalid_argument("step " + std::to_string(n) + " starts at instruction " + std::to_string(step.first) +
+                                  ", not at " + std::to_string(next));
+    }
+    next += step.count;
+    if (step.operation) {
+      try {
+        check(*step.operation, step.workspace_bytes);
+      } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument("step " + std::to_string(n) + ", " + error.what());
+      }
+    }
+  }
+  if (next != program.instructions.size()) {
+    throw std::invalid_argument("the steps cover " + std::to_string(next) + " instructions of " +
+                                std::to_string(program.instructions.size()));
+  }
+}
+
+void GoldenArray::run(const Program& program) {
+  check_program(program);
+  std::vector<std::uint64_t> step_cycles;
+  step_cycles.reserve(program.steps.size());
+  std::uint64_t cycles = 0;
+  for (const Step& step : program.steps) {
+    std::uint64_t sum = 0;
+    for (std::uint32_t n = 0; n < step.count; ++n) {
+      sum += static_cast<std::uint64_t>(pixelflow::cycles(program.instructions[step.first + n], multiplier_bits_));
+    }
+    step_cycles.push_back(sum);
+    cycles += sum;
+  }
+  for (PixelRow& tile : tiles_) run_tile(program, step_cycles, tile);
+  counters_.cycles += cycles;
+  counters_.instructions += program.instructions.size();
+  counters_.element_cycles += cycles * static_cast<std::uint64_t>(lanes_);
+}
+
+void GoldenArray::run_tile(const Program& program, const std::vector<std::uint64_t>& step_cycles, PixelRow& tile) {
+  // Only instructions outside operations change E.
+  bool known = false;
+  int enabled = 0;
+  for (std::size_t n = 0; n < program.steps.size(); ++n) {
+    const Step& step = program.steps[n];
+    const bool natively = level_ == Level::Macro && step.operation && is_native(step.operation->code);
+    int simulated = tile.lanes();
+    if (step.operation && !is_comparison(step.operation->code)) {
+      if (!known) enabled = enabled_groups_elements(tile);
+      known = true;
+      if (enabled == 0) continue;
+      if (natively) simulated = enabled;
+    }
+    if (natively) {
+      compute(*step.operation, tile);
+    } else {
+      tile.run(std::span(program.instructions).subspan(step.first, step.count));
+      if (!step.operation) known = false;
+    }
+    counters_.simulated_element_cycles += step_cycles[n] * static_cast<std::uint64_t>(simulated);
+  }
+}
+
+std::unique_ptr<PixelArray> make_golden_array(Level level, int lanes, int multiplier_bits) {
+  return std::make_unique<GoldenArray>(level, lanes, multiplier_bits);
+}
+
+}  // namespace pixelflow

@@ -1,0 +1,43 @@
+// The golden model of the whole array: elements in tiles, a whole program in one tile before the next.
+#pragma once
+
+#include <vector>
+
+#include "cmodel/pixelflow/pixel_array.h"
+#include "cmodel/pixelflow/pixel_row.h"
+
+namespace pixelflow {
+
+/// Levels model and macro. Cycles are counted from the instructions at both, so that they are the same.
+///
+/// What is left out: the run of an operation in a tile in which E is clear everywhere, and at the macro level in each
+/// group of 64 such elements. That changes no byte of the memory, and E and K stay specified: operations do not write
+/// E, and comparisons, which write K regardless of E, are never left out. Instructions that belong to no operation are
+/// never left out.
+class GoldenArray : public PixelArray {
+ public:
+  /// Throws std::invalid_argument for Level::Rtl, lanes below 1, or a digit other than 1, 2, 4 or 8 bits.
+  GoldenArray(Level level, int lanes, int multiplier_bits);
+
+  int lanes() const override { return lanes_; }
+  void write(int address, std::span<const std::uint8_t> bytes) override;
+  void read(int address, std::span<std::uint8_t> bytes) const override;
+  void place(std::span<const std::uint8_t> columns, std::span<const std::uint8_t> rows) override;
+  /// Throws std::invalid_argument, before anything is executed, for steps that do not cover the instructions in order
+  /// and for operations that check() refuses.
+  void run(const Program& program) override;
+  Registers registers(int lane) const override;
+  ArrayCounters counters() const override { return counters_; }
+
+ private:
+  void check_program(const Program& program) const;
+  void run_tile(const Program& program, const std::vector<std::uint64_t>& step_cycles, PixelRow& tile);
+
+  Level level_;
+  int lanes_;
+  int multiplier_bits_;
+  std::vector<PixelRow> tiles_;
+  ArrayCounters counters_;
+};
+
+}  // namespace pixelflow
