@@ -1,6 +1,7 @@
 #include "cmodel/pixelflow/golden_array.h"
 
 #include <algorithm>
+#include <bit>
 #include <stdexcept>
 #include <string>
 
@@ -10,14 +11,10 @@ namespace pixelflow {
 namespace {
 
 /// Elements of the tile that an operation at the macro level computes.
-int enabled_groups_elements(const PixelRow& tile) {
-  constexpr int kGroup = 64;
-  int elements = 0;
-  for (int first = 0; first < tile.lanes(); first += kGroup) {
-    const std::uint8_t* const e = tile.enable() + first;
-    const int size = std::min(kGroup, tile.lanes() - first);
-    if (std::find(e, e + size, 0xFF) != e + size) elements += size;
-  }
+int elements_of_groups(std::uint32_t groups, const PixelRow& tile) {
+  int elements = std::popcount(groups) * PixelRow::kGroup;
+  const int last = (tile.lanes() - 1) / PixelRow::kGroup;
+  if (groups >> last & 1u) elements -= tile.padded_lanes() - tile.lanes();
   return elements;
 }
 
@@ -120,9 +117,12 @@ void GoldenArray::run(const Program& program) {
   step_cycles.reserve(program.steps.size());
   std::uint64_t cycles = 0;
   for (const Step& step : program.steps) {
-    std::uint64_t sum = 0;
-    for (std::uint32_t n = 0; n < step.count; ++n) {
-      sum += static_cast<std::uint64_t>(pixelflow::cycles(program.instructions[step.first + n], multiplier_bits_));
+    // All instructions but multiplications take one cycle: this loop must not be felt beside native operations.
+    std::uint64_t sum = step.count;
+    for (const Instruction& i : std::span(program.instructions).subspan(step.first, step.count)) {
+      if (i.kind == Kind::Wide && i.fn == static_cast<std::uint8_t>(Wide::Multiply)) {
+        sum += static_cast<std::uint64_t>(pixelflow::cycles(i, multiplier_bits_) - 1);
+      }
     }
     step_cycles.push_back(sum);
     cycles += sum;
@@ -134,24 +134,19 @@ void GoldenArray::run(const Program& program) {
 }
 
 void GoldenArray::run_tile(const Program& program, const std::vector<std::uint64_t>& step_cycles, PixelRow& tile) {
-  // Only instructions outside operations change E.
-  bool known = false;
-  int enabled = 0;
   for (std::size_t n = 0; n < program.steps.size(); ++n) {
     const Step& step = program.steps[n];
     const bool natively = level_ == Level::Macro && step.operation && is_native(step.operation->code);
     int simulated = tile.lanes();
     if (step.operation && !is_comparison(step.operation->code)) {
-      if (!known) enabled = enabled_groups_elements(tile);
-      known = true;
+      const std::uint32_t enabled = tile.enabled_groups().any;
       if (enabled == 0) continue;
-      if (natively) simulated = enabled;
+      if (natively) simulated = elements_of_groups(enabled, tile);
     }
     if (natively) {
       compute(*step.operation, tile);
     } else {
       tile.run(std::span(program.instructions).subspan(step.first, step.count));
-      if (!step.operation) known = false;
     }
     counters_.simulated_element_cycles += step_cycles[n] * static_cast<std::uint64_t>(simulated);
   }

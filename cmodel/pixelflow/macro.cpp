@@ -116,15 +116,24 @@ void check(const Operation& o, int workspace_bytes) {
     if (workspace_bytes > 0 && overlap(operand.address, extent(o, operand), o.work, workspace_bytes)) {
       refuse(o, std::string(name) + " overlaps the workspace");
     }
-    const bool same = operand.address == o.d.address && extent(o, operand) == o.d.bytes;
+    const bool same = operand.address == o.d.address;
     if (writes_d && !same && overlap(operand.address, extent(o, operand), o.d.address, o.d.bytes)) {
-      refuse(o, std::string(name) + " overlaps d without being the same number");
+      refuse(o, std::string(name) + " overlaps d and does not start where d does");
     }
   };
   check_apart(o.a, "a");
   if (reads_b) check_apart(o.b, "b");
   if (writes_d) check_apart(o.d, "d");
 }
+
+alignas(vectors::kWidth) const std::uint8_t macro::Transposition::kLowBytes[kGroup] = {
+    255, 0, 255, 0, 255, 0, 255, 0, 255, 0, 255, 0, 255, 0, 255, 0, 255, 0, 255, 0, 255, 0,
+    255, 0, 255, 0, 255, 0, 255, 0, 255, 0, 255, 0, 255, 0, 255, 0, 255, 0, 255, 0, 255, 0,
+    255, 0, 255, 0, 255, 0, 255, 0, 255, 0, 255, 0, 255, 0, 255, 0, 255, 0, 255, 0};
+alignas(vectors::kWidth) const std::uint8_t macro::Transposition::kLowHalves[kGroup] = {
+    255, 255, 0,   0,   255, 255, 0,   0,   255, 255, 0,   0,   255, 255, 0,   0,   255, 255, 0,   0,   255, 255,
+    0,   0,   255, 255, 0,   0,   255, 255, 0,   0,   255, 255, 0,   0,   255, 255, 0,   0,   255, 255, 0,   0,
+    255, 255, 0,   0,   255, 255, 0,   0,   255, 255, 0,   0,   255, 255, 0,   0,   255, 255, 0,   0};
 
 void compute(const Operation& o, PixelRow& row) {
   switch (o.code) {

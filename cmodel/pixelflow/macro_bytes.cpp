@@ -8,25 +8,38 @@ using namespace vectors;
 
 namespace {
 
-/// The bytes of an operand in a group of elements, lowest first, with as many bytes of its sign behind as one asks for.
+/// Greatest number of bytes that a sum or a comparison goes through: one more than operands have, so that all are
+/// signed.
+constexpr int kMostBytes = 9;
+
+/// An operand's rows byte by byte, lowest first, extended by its sign: 64 elements at row[0], the next at row[stride].
 class ByteReader {
  public:
-  ByteReader(const Operand& operand, const PixelRow& row)
-      : operand_(operand), row_(row), constant_(constant_of(operand)) {}
+  ByteReader(const Operand& operand, const PixelRow& row) : own_(operand.uniform ? kMostBytes : operand.bytes) {
+    const std::uint64_t constant = constant_of(operand);
+    for (int byte = 0; byte < kMostBytes; ++byte) {
+      if (operand.uniform) {
+        const std::uint64_t sign = operand.is_signed && constant >> 63 ? 0xFF : 0;
+        constants_[byte] = fill<Bytes>(byte < 8 ? constant >> (8 * byte) & 0xFF : sign);
+      } else if (byte < own_) {
+        rows_[byte] = row.memory(operand.address + byte);
+      }
+    }
+    uniform_ = operand.uniform;
+    signed_ = operand.is_signed;
+  }
 
   PIXELFLOW_INLINE Bytes get(int byte, int first_lane) const {
-    if (operand_.uniform) return fill<Bytes>(byte < 8 ? constant_ >> (8 * byte) & 0xFF : extension_of_constant());
-    if (byte < operand_.bytes) return load(row_.memory(operand_.address + byte) + first_lane);
-    if (!operand_.is_signed) return Bytes{};
-    return top_bit(load(row_.memory(operand_.address + operand_.bytes - 1) + first_lane));
+    if (uniform_) return constants_[byte];
+    if (byte < own_) return load(rows_[byte] + first_lane);
+    return signed_ ? top_bit(load(rows_[own_ - 1] + first_lane)) : Bytes{};
   }
 
  private:
-  std::uint64_t extension_of_constant() const { return operand_.is_signed && constant_ >> 63 ? 0xFF : 0; }
-
-  const Operand& operand_;
-  const PixelRow& row_;
-  std::uint64_t constant_;
+  int own_;
+  bool uniform_, signed_;
+  const std::uint8_t* rows_[kMostBytes] = {};
+  Bytes constants_[kMostBytes];
 };
 
 }  // namespace
@@ -35,9 +48,11 @@ void add(const Operation& o, PixelRow& row) {
   const ByteReader a(o.a, row), b(o.b, row);
   const bool copies = o.code == Code::Copy;
   const Bytes invert = fill<Bytes>(o.code == Code::Sub ? 0xFF : 0);
-  for (int at = 0; at < row.padded_lanes(); at += kGroup) {
-    if (!any_enabled(row, at)) continue;
-    const Bytes e = load(row.enable() + at);
+  const std::uint8_t* const enable = row.enable();
+  std::uint8_t* d[8];
+  for (int byte = 0; byte < o.d.bytes; ++byte) d[byte] = row.memory(o.d.address + byte);
+  each_enabled_group(row, [&](int at, bool) {
+    const Bytes e = load(enable + at);
     // d may be a or b, and then its sign must be read before its last byte is written: all bytes first.
     Bytes sums[8], carry = invert;
     for (int byte = 0; byte < o.d.bytes; ++byte) {
@@ -51,10 +66,10 @@ void add(const Operation& o, PixelRow& row) {
       carry = top_bit(carry_bit(p, q, sums[byte]));
     }
     for (int byte = 0; byte < o.d.bytes; ++byte) {
-      std::uint8_t* const to = row.memory(o.d.address + byte) + at;
+      std::uint8_t* const to = d[byte] + at;
       store(to, select(e, sums[byte], load(to)));
     }
-  }
+  });
 }
 
 void compare(const Operation& o, PixelRow& row) {

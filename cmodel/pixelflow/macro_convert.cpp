@@ -66,8 +66,7 @@ std::uint64_t to_fixed(std::uint32_t bits, const Operation& o) {
 
 void convert(const Operation& o, PixelRow& row) {
   alignas(64) std::uint64_t a[kGroup], d[kGroup];
-  for (int at = 0; at < row.padded_lanes(); at += kGroup) {
-    if (!any_enabled(row, at)) continue;
+  each_enabled_group(row, [&](int at, bool) {
     gather(o.a, row, at, a);
     for (int n = 0; n < kGroup; ++n) {
       if (o.code == Code::FloatToFixed) {
@@ -78,7 +77,7 @@ void convert(const Operation& o, PixelRow& row) {
       }
     }
     scatter(o.d, row, at, d);
-  }
+  });
 }
 
 }  // namespace pixelflow::macro

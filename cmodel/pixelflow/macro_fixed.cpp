@@ -108,13 +108,12 @@ template <typename F>
 void each_group(const Operation& o, PixelRow& row, F&& result) {
   alignas(64) std::uint64_t a[kGroup], b[kGroup] = {}, d[kGroup];
   const bool two = o.code == Code::Multiply || o.code == Code::Divide || o.code == Code::Remainder;
-  for (int at = 0; at < row.padded_lanes(); at += kGroup) {
-    if (!any_enabled(row, at)) continue;
+  each_enabled_group(row, [&](int at, bool) {
     gather(o.a, row, at, a);
     if (two) gather(o.b, row, at, b);
     for (int n = 0; n < kGroup; ++n) d[n] = result(a[n], b[n]);
     scatter(o.d, row, at, d);
-  }
+  });
 }
 
 }  // namespace

@@ -55,17 +55,21 @@ PIXELFLOW_INLINE Floats apply(Floats a, Floats b) {
 
 template <Code C, bool Flush>
 void arithmetic(const Operation& o, PixelRow& row) {
-  for (int at = 0; at < row.padded_lanes(); at += kGroup) {
-    if (!any_enabled(row, at)) continue;
-    const WordGroup a = read_words(o.a, row, at), b = C == Code::FloatSquareRoot ? a : read_words(o.b, row, at);
-    WordGroup d;
-    for (int n = 0; n < 4; ++n) {
-      const Words p = Flush ? flushed(a.part[n]) : a.part[n], q = Flush ? flushed(b.part[n]) : b.part[n];
-      d.part[n] = one_nan(apply<C>(reinterpret_cast<Floats>(p), reinterpret_cast<Floats>(q)));
-      if (Flush) d.part[n] = flushed(d.part[n]);
-    }
-    write_words(o.d, row, at, d);
-  }
+  const Operand& second = C == Code::FloatSquareRoot ? o.a : o.b;
+  const WordWriter writer(o.d, row);
+  with_readers(o.a, second, row, [&](const auto& a_reader, const auto& b_reader) {
+    const Transposition transposed;
+    each_enabled_group(row, [&](int at, bool all) {
+      const WordGroup a = a_reader.get(transposed, at), b = b_reader.get(transposed, at);
+      WordGroup d;
+      for (int n = 0; n < 4; ++n) {
+        const Words p = Flush ? flushed(a.part[n]) : a.part[n], q = Flush ? flushed(b.part[n]) : b.part[n];
+        d.part[n] = one_nan(apply<C>(reinterpret_cast<Floats>(p), reinterpret_cast<Floats>(q)));
+        if (Flush) d.part[n] = flushed(d.part[n]);
+      }
+      writer.put(transposed, at, all, d);
+    });
+  });
 }
 
 template <Code C>
@@ -87,18 +91,23 @@ void float_arithmetic(const Operation& o, PixelRow& row) {
 }
 
 void float_compare(const Operation& o, PixelRow& row) {
-  for (int at = 0; at < row.padded_lanes(); at += kGroup) {
-    const WordGroup a = read_words(o.a, row, at), b = read_words(o.b, row, at);
-    WordGroup holds;
-    for (int n = 0; n < 4; ++n) {
-      const Floats p = reinterpret_cast<Floats>(o.flush ? flushed(a.part[n]) : a.part[n]);
-      const Floats q = reinterpret_cast<Floats>(o.flush ? flushed(b.part[n]) : b.part[n]);
-      holds.part[n] = o.code == Code::FloatLess        ? reinterpret_cast<Words>(p < q)
-                      : o.code == Code::FloatLessEqual ? reinterpret_cast<Words>(p <= q)
-                                                       : reinterpret_cast<Words>(p == q);
+  std::uint8_t* const condition = row.condition();
+  const int lanes = row.padded_lanes();
+  with_readers(o.a, o.b, row, [&](const auto& a_reader, const auto& b_reader) {
+    const Transposition transposed;
+    for (int at = 0; at < lanes; at += kGroup) {
+      const WordGroup a = a_reader.get(transposed, at), b = b_reader.get(transposed, at);
+      WordGroup holds;
+      for (int n = 0; n < 4; ++n) {
+        const Floats p = reinterpret_cast<Floats>(o.flush ? flushed(a.part[n]) : a.part[n]);
+        const Floats q = reinterpret_cast<Floats>(o.flush ? flushed(b.part[n]) : b.part[n]);
+        holds.part[n] = o.code == Code::FloatLess        ? reinterpret_cast<Words>(p < q)
+                        : o.code == Code::FloatLessEqual ? reinterpret_cast<Words>(p <= q)
+                                                         : reinterpret_cast<Words>(p == q);
+      }
+      store(condition + at, reinterpret_cast<Bytes>(transposed(holds.part).part[0]));
     }
-    store(row.condition() + at, reinterpret_cast<Bytes>(transpose(holds.part).part[0]));
-  }
+  });
 }
 
 }  // namespace macro

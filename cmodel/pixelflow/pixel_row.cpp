@@ -36,8 +36,19 @@ const std::uint8_t* PixelRow::enable() const { return state_->e; }
 std::uint8_t* PixelRow::condition() { return state_->k; }
 std::uint8_t* PixelRow::wide(int byte) const { return state_->w[(wide_first_ + byte) & 3]; }
 
-bool PixelRow::any_enabled() const { return std::memchr(state_->e, 0xFF, static_cast<std::size_t>(lanes_)) != nullptr; }
-bool PixelRow::all_enabled() const { return std::memchr(state_->e, 0x00, static_cast<std::size_t>(lanes_)) == nullptr; }
+const PixelRow::EnabledGroups& PixelRow::enabled_groups() const {
+  static_assert(kGroup == kWidth);
+  if (enabled_known_) return enabled_;
+  enabled_ = {0, 0};
+  for (int first = 0, group = 0; first < lanes_; first += kGroup, ++group) {
+    const std::uint8_t* const e = state_->e + first;
+    const auto size = static_cast<std::size_t>(std::min(kGroup, lanes_ - first));
+    if (std::memchr(e, 0xFF, size) != nullptr) enabled_.any |= 1u << group;
+    if (std::memchr(e, 0x00, size) == nullptr) enabled_.all |= 1u << group;
+  }
+  enabled_known_ = true;
+  return enabled_;
+}
 
 Registers PixelRow::registers(int lane) const {
   const State& t = *state_;
@@ -48,6 +59,7 @@ Registers PixelRow::registers(int lane) const {
 
 void PixelRow::set_registers(int lane, const Registers& r) {
   State& t = *state_;
+  enable_changed();
   const auto mask = [](bool flag) { return static_cast<std::uint8_t>(flag ? 0xFF : 0); };
   t.e[lane] = mask(r.e), t.k[lane] = mask(r.k), t.s[lane] = mask(r.s), t.z[lane] = mask(r.z), t.c[lane] = mask(r.c);
   t.m[lane] = r.m, t.x[lane] = r.x;
@@ -163,6 +175,7 @@ void PixelRow::step_flag(const Instruction& i) {
   State& t = *state_;
   std::uint8_t* const flags[] = {t.c, t.z, t.s, t.k, t.e};
   std::uint8_t* const flag = flags[i.dest];
+  if (flag == t.e) enable_changed();
   const Bytes invert = fill<Bytes>(i.set_c ? 0xFF : 0);
   const auto put = [&](auto&& source) {
     const auto all = [&](auto&& combine) {

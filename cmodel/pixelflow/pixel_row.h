@@ -48,8 +48,14 @@ class PixelRow {
   const std::uint8_t* enable() const;
   std::uint8_t* condition();
 
-  bool any_enabled() const;
-  bool all_enabled() const;
+  /// Groups of kGroup elements, lowest bit first: those in which E is set in an element, and those in which it is set
+  /// in all.
+  static constexpr int kGroup = 64;
+  struct EnabledGroups {
+    std::uint32_t any, all;
+  };
+  static_assert(kLanes <= 32 * kGroup);
+  const EnabledGroups& enabled_groups() const;
 
  private:
   struct State;
@@ -70,7 +76,11 @@ class PixelRow {
   void divide(const Instruction& i);
   void move_down();
 
+  void enable_changed() { enabled_known_ = false; }
+
   std::unique_ptr<State> state_;
+  mutable EnabledGroups enabled_{};
+  mutable bool enabled_known_ = false;
   int lanes_;
   int vectors_;         ///< of 64 elements, that hold lanes_
   int wide_first_ = 0;  ///< which of the four rows is W's lowest byte: a shift by eight bits turns the rows

@@ -158,10 +158,12 @@ TEST(PixelRow, PartOfATile) {
   for (const int lanes : {1, 63, 64, 65, 1000, PixelRow::kLanes}) {
     PixelRow row(lanes);
     EXPECT_EQ(row.lanes(), lanes);
-    EXPECT_FALSE(row.any_enabled());
+    const auto groups = static_cast<unsigned>((lanes + PixelRow::kGroup - 1) / PixelRow::kGroup);
+    const std::uint32_t every = (1u << groups) - 1, last = 1u << (groups - 1);
+    EXPECT_EQ(row.enabled_groups().any, 0u);
     row.step({.kind = Kind::Flag, .dest = static_cast<std::uint8_t>(Flag::E)});  // E := 1 in all
-    EXPECT_TRUE(row.any_enabled());
-    EXPECT_TRUE(row.all_enabled());
+    EXPECT_EQ(row.enabled_groups().any, every);
+    EXPECT_EQ(row.enabled_groups().all, every);
     row.step({.dest = static_cast<std::uint8_t>(To::M)});
     row.step({.q = static_cast<std::uint8_t>(Q::Immediate),
               .dest = static_cast<std::uint8_t>(To::Memory),
@@ -172,8 +174,8 @@ TEST(PixelRow, PartOfATile) {
     Registers r = row.registers(lanes - 1);
     r.e = false;
     row.set_registers(lanes - 1, r);
-    EXPECT_FALSE(row.all_enabled());
-    EXPECT_EQ(row.any_enabled(), lanes > 1);
+    EXPECT_EQ(row.enabled_groups().all, every & ~last);
+    EXPECT_EQ(row.enabled_groups().any, lanes % PixelRow::kGroup == 1 ? every & ~last : every);
   }
   EXPECT_THROW(PixelRow(0), std::invalid_argument);
   EXPECT_THROW(PixelRow(-5), std::invalid_argument);
