@@ -1,18 +1,11 @@
-// Square root of fixed-point numbers, a bit at a time, non-restoring.
-//
-// The radicand A lies in [0, 1). With P the root so far, the remainder R = 2^i (A - P^2) after bit i obeys R := 2R - T where R is
-// not negative, R := 2R + T where it is. Z = 2P + 2 * 2^-i goes along: with b = 2^-i, T is Z + b and the next Z is Z + 2b
-// where R is not negative, Z - b and Z - 2b where it is. V = ~R is kept instead of R, so that one flag, K = (R < 0), steers all
-// three through AddSub. R has two bits before its point. The first 30 bits of a root run in W, with the byte of Z in work in X;
-// what a root needs beyond them runs in memory.
+// Square root of fixed-point numbers (root_steps.h): the first 30 bits in W, what a root needs beyond them in memory.
 #include <algorithm>
 
+#include "pixelflow/microcode/root_steps.h"
 #include "pixelflow/microcode/routines.h"
 
 namespace pixelflow {
 namespace {
-
-constexpr int kWideSteps = 30;
 
 struct Plan {
   int root_bits;
@@ -31,7 +24,7 @@ Plan plan(const Operation& o) {
   p.fraction_bits = 2 * p.root_bits - o.scale;
   p.leading = 2 + p.fraction_bits - 8 * o.a.bytes;
   p.in_wide = o.a.bytes <= 4 && p.root_bits <= 32;
-  p.in_memory = !p.in_wide || p.root_bits > kWideSteps;
+  p.in_memory = !p.in_wide || p.root_bits > RootSteps::kMost;
   p.bytes = !p.in_memory ? 4 : p.in_wide ? 5 : (std::max(p.root_bits, p.fraction_bits) + 2 + 7) / 8;
   p.z = o.work;
   p.t = p.z + p.bytes;
@@ -49,7 +42,8 @@ class Root {
     if (p_.in_wide) {
       load_wide();
       a_.flag(Flag::K, Bit::One, true);
-      for (; step <= std::min(kWideSteps, p_.root_bits); ++step) wide_step(step);
+      RootSteps steps(a_, p_.z + p_.bytes - 4, p_.t, p_.fraction_bits, feeding(), p_.in_memory);
+      for (; step <= std::min(RootSteps::kMost, p_.root_bits); ++step) steps.step(step);
     }
     if (p_.in_wide && p_.in_memory) {
       for (int n = 0; n < 4; ++n) a_.store_w(p_.v + 1 + n, n);
@@ -65,6 +59,9 @@ class Root {
   }
 
  private:
+  /// Bits of the radicand that W has no room for at first.
+  int feeding() const { return o_.a.bytes == 4 ? p_.leading : 0; }
+
   /// W := ~A, two bits before the point.
   void load_wide() {
     const int n = o_.a.bytes;
@@ -79,8 +76,7 @@ class Root {
     a_.flag(Flag::C, Bit::One);
     a_.shift_right(1, Fill::C);
     if (p_.leading == 3) a_.shift_right(0, Fill::C);
-    feeding_ = n == 4 ? p_.leading : 0;
-    if (feeding_) {  // X: the bits that the shift pushed out, complemented, moved round to the top
+    if (feeding()) {  // X: the bits that the shift pushed out, complemented, moved round to the top
       a_.alu(Alu::Xor, To::M, P::Immediate, Q::Memory, {.addr = o_.a.address, .imm = 0xFF});
       for (int bit = 0; bit <= p_.leading; ++bit) {
         a_.alu(Alu::ShiftRight, bit == p_.leading ? To::X : To::M, P::Zero, Q::M, {.cin = Carry::C, .c = true});
@@ -89,74 +85,6 @@ class Root {
     } else {
       a_.set_x(0);
     }
-  }
-
-  /// V has a two in front where W has four bytes: the position of bit 2^-step.
-  int position(int step, int bytes) const { return 8 * bytes - 2 - step; }
-
-  void wide_step(int step) {
-    const int at = position(step, 4), byte = at / 8, b = 1 << at % 8;
-    const int z = p_.z + p_.bytes - 4 + byte;
-    bool low_constant = false;
-    if (feeding_) {  // X is in use: Z stays in memory. These are the first three bits, all in the top byte
-      a_.divide(false, true, 4);
-      a_.alu(Alu::NegateIf, To::M, P::Immediate, Q::Memory, {.addr = z, .imm = 2 * b, .cin = Carry::K});
-      a_.store(P::M, p_.t);
-      a_.alu(Alu::NegateIf, To::M, P::Immediate, Q::Memory, {.addr = z, .imm = b, .cin = Carry::K});
-      if (--feeding_) {
-        // Z := what was put aside, once T has it; the exchange goes through the workspace.
-        a_.alu(Alu::AddSub, To::W, P::W, Q::M, {.at = 3, .cin = Carry::K});
-        a_.load_m(p_.t);
-        a_.store(P::M, z);
-        a_.flag_of(Flag::K, P::W, 7, true, FlagOp::Move, 3);
-        return;
-      }
-      a_.load_x(p_.t);
-    } else {
-      double_v(step);
-      if (at % 8 == 7) {  // T's low byte is 0x80 in either sense, and a borrow goes up; Z's bit is in the byte above
-        low_constant = true;
-        a_.alu(Alu::AddIf, To::M, P::X, Q::Immediate, {.imm = 0xFF});
-        a_.alu(Alu::AddSub, To::X, P::X, Q::Immediate, {.imm = 1, .cin = Carry::K});
-      } else if (at % 8 == 6) {  // the byte above gets its last borrow, Z's new byte is 0x80 in either sense
-        a_.alu(Alu::AddIf, To::Memory, P::X, Q::Immediate, {.addr = z + 1, .imm = 0xFF});
-        a_.alu(Alu::AddSub, To::M, P::Zero, Q::Immediate, {.imm = b, .cin = Carry::K});
-        a_.set_x(0x80);
-      } else {
-        a_.alu(Alu::AddSub, To::M, P::X, Q::Immediate, {.imm = b, .cin = Carry::K});
-        a_.alu(Alu::AddSub, To::X, P::X, Q::Immediate, {.imm = 2 * b, .cin = Carry::K});
-      }
-    }
-    for (int n = byte; n < 4; ++n) {
-      AluExtras e{.at = n, .cin = n > byte ? Carry::C : Carry::K, .c = true};
-      const bool from_m = low_constant ? n == byte + 1 : n == byte;
-      if (low_constant && n == byte) {
-        e.imm = 0x80;
-        a_.alu(Alu::AddSub, To::W, P::W, Q::Immediate, e);
-      } else if (from_m) {
-        a_.alu(Alu::AddSub, To::W, P::W, Q::M, e);
-      } else {
-        e.addr = p_.z + p_.bytes - 4 + n;
-        a_.alu(Alu::AddSub, To::W, P::W, Q::Memory, e);
-      }
-    }
-    a_.flag_of(Flag::K, P::W, 7, true, FlagOp::Move, 3);
-  }
-
-  /// 2V + 1: a left shift brings a zero where V wants a one, so that V comes to stand for -R - excess instead of -R - 1. That is
-  /// harmless while the excess is at most the grain of R; before it gets bigger the bits that must be ones are set again.
-  void double_v(int step) {
-    const auto grain = [&](int after) { return std::max(0, 30 - std::max(p_.fraction_bits - after, after)); };  // as a bit of W
-    a_.shift_left(0);
-    excess_ *= 2;
-    const bool handed_on = p_.in_memory && step == kWideSteps;
-    if (excess_ <= 1ll << grain(step) && !handed_on) return;
-    const int bits = grain(step - 1) + 1;
-    for (int n = 0; 8 * n < bits; ++n) {
-      const int ones = bits - 8 * n >= 8 ? 0xFF : (1 << (bits - 8 * n)) - 1;
-      a_.alu(Alu::Or, To::W, P::W, Q::Immediate, {.imm = ones, .at = n});
-    }
-    excess_ = 1;
   }
 
   /// V := ~A in memory, all of it, and Z := 0.
@@ -172,7 +100,7 @@ class Root {
   }
 
   void memory_step(int step) {
-    const int at = position(step, p_.bytes), byte = at / 8, b = 1 << at % 8;
+    const int at = 8 * p_.bytes - 2 - step, byte = at / 8, b = 1 << at % 8;
     const bool last = step == p_.root_bits;
     // Below the bit in work V is all ones once the radicand's own bits have passed.
     const int lowest = p_.in_wide ? byte : 0;
@@ -182,7 +110,7 @@ class Root {
       a_.store(P::M, p_.v + n);
     }
     const int z = p_.z + byte;
-    if (at % 8 == 7) {  // as in wide_step; X: T's byte above, t: the next Z's
+    if (at % 8 == 7) {  // as in RootSteps; X: T's byte above, t: the next Z's
       a_.load_x(z + 1);
       a_.alu(Alu::AddSub, To::M, P::X, Q::Immediate, {.imm = 1, .cin = Carry::K});
       a_.store(P::M, z + 1);
@@ -266,8 +194,6 @@ class Root {
   Assembler& a_;
   const Operation& o_;
   Plan p_;
-  int feeding_ = 0;          ///< bits of the radicand still to come in from X
-  long long excess_ = 1;
 };
 
 }  // namespace

@@ -44,6 +44,17 @@ const Entry& entry(Code code) {
     set(Code::Less, "less", Shape::Compare, write_compare);
     set(Code::LessEqual, "less_equal", Shape::Compare, write_compare);
     set(Code::Equal, "equal", Shape::Compare, write_compare);
+    const auto with_float = [&](Code c, const char* name, Shape shape, Write write) { set(c, name, shape, write, float_workspace); };
+    with_float(Code::FloatAdd, "float_add", Shape::FloatBinary, write_float_add);
+    with_float(Code::FloatSub, "float_sub", Shape::FloatBinary, write_float_add);
+    with_float(Code::FloatMultiply, "float_multiply", Shape::FloatBinary, write_float_multiply);
+    with_float(Code::FloatDivide, "float_divide", Shape::FloatBinary, write_float_divide);
+    with_float(Code::FloatSquareRoot, "float_sqrt", Shape::FloatUnary, write_float_square_root);
+    with_float(Code::FloatLess, "float_less", Shape::FloatCompare, write_float_compare);
+    with_float(Code::FloatLessEqual, "float_less_equal", Shape::FloatCompare, write_float_compare);
+    with_float(Code::FloatEqual, "float_equal", Shape::FloatCompare, write_float_compare);
+    with_float(Code::FixedToFloat, "fixed_to_float", Shape::ToFloat, write_fixed_to_float);
+    with_float(Code::FloatToFixed, "float_to_fixed", Shape::ToFixed, write_float_to_fixed);
     return e;
   }();
   return entries[static_cast<std::size_t>(code)];
@@ -103,6 +114,10 @@ void check(const Operation& o) {
     case Code::Wrap:
     case Code::Saturate:
       if (o.scale < 1 || o.scale > 8 * o.d.bytes) refuse(o, "needs a width within d");
+      break;
+    case Code::FixedToFloat:
+    case Code::FloatToFixed:
+      if (o.scale < -64 || o.scale > 128) refuse(o, "a scale of -64 to 128 bits is possible");
       break;
     case Code::NoiseFixed:
     case Code::NoiseFloat:
