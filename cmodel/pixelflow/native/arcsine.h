@@ -9,27 +9,25 @@
 #define VSG_CMODEL_PIXELFLOW_NATIVE_ARCSINE_H_
 
 #include "cmodel/pixelflow/native/bits.h"
+#include "cmodel/pixelflow/native/coefficients.h"
 
 namespace pixelflow::native {
-
-inline constexpr uint32_t kPiQ30 = 3373259426u;
-inline constexpr uint32_t kHalfPiQ30 = 1686629713u;
 
 // asin(s) / s of s in Q0.32, at most 1/2; Q1.31.
 PIXELFLOW_INLINE uint32_t arcsine_polynomial(uint32_t s) {
   const uint32_t z = multiply_high(s, s);
-  uint32_t p = horner_plus(15959242u, z, 74589132u);
-  p = horner_plus(52897335u, z, p);
-  p = horner_plus(64655733u, z, p);
-  p = horner_plus(95907509u, z, p);
-  p = horner_plus(161060135u, z, p);
-  p = horner_plus(357913953u, z, p);
-  return horner_plus(2147483648u, z, p);
+  uint32_t p = horner_plus(kArcsine[6], z, kArcsine[7]);
+  p = horner_plus(kArcsine[5], z, p);
+  p = horner_plus(kArcsine[4], z, p);
+  p = horner_plus(kArcsine[3], z, p);
+  p = horner_plus(kArcsine[2], z, p);
+  p = horner_plus(kArcsine[1], z, p);
+  return horner_plus(kArcsine[0], z, p);
 }
 
 // 1 - b s + c s^2, b = 4 - 2 pi + 4/sqrt(3), c = 4 + 8/sqrt(3) - 8 pi/3; Q1.31.
 PIXELFLOW_INLINE uint32_t fast_arcsine_polynomial(uint32_t s) {
-  return horner_plus(horner_minus(2147483648u, s, 56297936u), multiply_high(s, s), 518019751u);
+  return horner_plus(horner_minus(kFastArcsine[0], s, kFastArcsine[1]), multiply_high(s, s), kFastArcsine[2]);
 }
 
 struct Arcsine {

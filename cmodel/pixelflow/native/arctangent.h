@@ -9,29 +9,30 @@
 
 #include "cmodel/pixelflow/native/arcsine.h"
 #include "cmodel/pixelflow/native/bits.h"
+#include "cmodel/pixelflow/native/coefficients.h"
 
 namespace pixelflow::native {
 
 // atan(q) / q of q in Q0.32; Q0.32.
 PIXELFLOW_INLINE uint32_t arctangent_polynomial(uint32_t q) {
   const uint32_t z = multiply_high(q, q);
-  uint32_t p = horner_minus(14297305u, z, 1895764u);
-  p = horner_minus(50591114u, z, p);
-  p = horner_minus(113980899u, z, p);
-  p = horner_minus(189656670u, z, p);
-  p = horner_minus(260045475u, z, p);
-  p = horner_minus(322509851u, z, p);
-  p = horner_minus(388824217u, z, p);
-  p = horner_minus(476998511u, z, p);
-  p = horner_minus(613548826u, z, p);
-  p = horner_minus(858992694u, z, p);
-  p = horner_minus(1431655752u, z, p);
-  return horner_minus(0xFFFFFFFFu, z, p);
+  uint32_t p = horner_minus(kArctangent[11], z, kArctangent[12]);
+  p = horner_minus(kArctangent[10], z, p);
+  p = horner_minus(kArctangent[9], z, p);
+  p = horner_minus(kArctangent[8], z, p);
+  p = horner_minus(kArctangent[7], z, p);
+  p = horner_minus(kArctangent[6], z, p);
+  p = horner_minus(kArctangent[5], z, p);
+  p = horner_minus(kArctangent[4], z, p);
+  p = horner_minus(kArctangent[3], z, p);
+  p = horner_minus(kArctangent[2], z, p);
+  p = horner_minus(kArctangent[1], z, p);
+  return horner_minus(kArctangent[0], z, p);
 }
 
 // 1 - q (b + c q), b = 5/2 - 3 pi/4, c = pi/2 - 3/2; Q0.32.
 PIXELFLOW_INLINE uint32_t fast_arctangent_polynomial(uint32_t q) {
-  return horner_minus(0xFFFFFFFFu, q, horner_plus(617639962u, q, 304067908u));
+  return horner_minus(kFastArctangent[0], q, horner_plus(kFastArctangent[1], q, kFastArctangent[2]));
 }
 
 template <bool Fast>

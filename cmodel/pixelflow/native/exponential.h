@@ -8,28 +8,28 @@
 #define VSG_CMODEL_PIXELFLOW_NATIVE_EXPONENTIAL_H_
 
 #include "cmodel/pixelflow/native/bits.h"
+#include "cmodel/pixelflow/native/coefficients.h"
 
 namespace pixelflow::native {
 
 inline constexpr uint64_t kLargestQ32 = 0xFFFFFFFFFFu;
-inline constexpr uint64_t kLog2EQ39 = 793129986396u;
 inline constexpr uint64_t kOneQ39 = uint64_t{1} << 39;
 
 // 2^f of f in Q0.32; Q1.31.
 PIXELFLOW_INLINE uint32_t power_of_fraction(uint32_t f) {
-  uint32_t p = horner_plus(313619u, f, 44585u);
-  p = horner_plus(2875317u, f, p);
-  p = horner_plus(20650591u, f, p);
-  p = horner_plus(119194842u, f, p);
-  p = horner_plus(515882458u, f, p);
-  p = horner_plus(1488522236u, f, p);
-  return horner_plus(2147483648u, f, p);
+  uint32_t p = horner_plus(kExponential[6], f, kExponential[7]);
+  p = horner_plus(kExponential[5], f, p);
+  p = horner_plus(kExponential[4], f, p);
+  p = horner_plus(kExponential[3], f, p);
+  p = horner_plus(kExponential[2], f, p);
+  p = horner_plus(kExponential[1], f, p);
+  return horner_plus(kExponential[0], f, p);
 }
 
 // 1 + f (a + f (b + c f)), a = ln 2, b = 3 - 4 ln 2, c = 3 ln 2 - 2, Q1.31; a + b + c = 1 exactly.
 PIXELFLOW_INLINE uint32_t fast_power_of_fraction(uint32_t f) {
-  const uint32_t p = horner_plus(1488522236u, f, horner_plus(488362000u, f, 170599412u));
-  return horner_plus(2147483648u, f, p);
+  const uint32_t p = horner_plus(kFastExponential[1], f, horner_plus(kFastExponential[2], f, kFastExponential[3]));
+  return horner_plus(kFastExponential[0], f, p);
 }
 
 // 2^(+-exponent), exponent in Q8.32, rounded.

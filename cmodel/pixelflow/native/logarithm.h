@@ -9,10 +9,9 @@
 #define VSG_CMODEL_PIXELFLOW_NATIVE_LOGARITHM_H_
 
 #include "cmodel/pixelflow/native/bits.h"
+#include "cmodel/pixelflow/native/coefficients.h"
 
 namespace pixelflow::native {
-
-inline constexpr uint32_t kLn2Q32 = 2977044472u;
 
 struct Logarithm {
   uint64_t significand;  // 6 bytes, bit 47 set, or 0; the value is significand * 2^(exponent - 47)
@@ -39,11 +38,11 @@ PIXELFLOW_INLINE Logarithm logarithm_of(uint32_t a) {
 
   const uint32_t s4 = shift_right(first.quotient, -2 - exponent);  // 4 s in Q0.32
   const uint32_t w = multiply_high(s4, s4);
-  uint32_t g = horner_plus(335285u, w, 18739u);
-  g = horner_plus(6915750u, w, g);
-  g = horner_plus(154908184u, w, g);
-  g = horner_plus(4130885346u, w, g);
-  const uint64_t p = 198282496599u + multiply_high(w, g);  // Q4.36
+  uint32_t g = horner_plus(kLogarithm[3], w, kLogarithm[4]);
+  g = horner_plus(kLogarithm[2], w, g);
+  g = horner_plus(kLogarithm[1], w, g);
+  g = horner_plus(kLogarithm[0], w, g);
+  const uint64_t p = kTwoOverLn2 + multiply_high(w, g);  // Q4.36
   const uint64_t log_m = multiply_40(s, p);                // below 2^46, units of 2^(exponent - 44)
 
   const uint32_t has_integer = whole != 0 ? 1u : 0u;
@@ -60,8 +59,8 @@ PIXELFLOW_INLINE Logarithm logarithm_of(uint32_t a) {
 PIXELFLOW_INLINE Logarithm fast_logarithm_of(uint32_t a) {
   const Normal x = split(a);
   const uint64_t u = (x.significand >> 7) & 0xFFFFFFu;  // Q0.24
-  uint64_t p = 333557524326u - ((u * 90183351818u) >> 24);
-  p = 793129986396u - ((u * p) >> 24);
+  uint64_t p = kFastLogarithm[1] - ((u * kFastLogarithm[2]) >> 24);
+  p = kFastLogarithm[0] - ((u * p) >> 24);
   const uint64_t fraction = (u * p) >> 24;
   const uint64_t sum = (static_cast<uint64_t>(static_cast<int64_t>(x.exponent)) << 39) + fraction;
   const uint32_t negative = static_cast<uint32_t>(sum >> 63);

@@ -13,6 +13,7 @@
 #define VSG_CMODEL_PIXELFLOW_NATIVE_TRIGONOMETRY_H_
 
 #include "cmodel/pixelflow/native/bits.h"
+#include "cmodel/pixelflow/native/coefficients.h"
 
 namespace pixelflow::native {
 
@@ -51,11 +52,11 @@ PIXELFLOW_INLINE Quadrant reduce_angle(uint32_t finite_magnitude) {
 PIXELFLOW_INLINE Normal sine_of_quarter(uint64_t t) {
   const uint32_t t_high = static_cast<uint32_t>(t >> 32);
   const uint32_t z = multiply_high(t_high, t_high);
-  uint32_t p = horner_minus(344124u, z, 7362u);
-  p = horner_minus(10053764u, z, p);
-  p = horner_minus(171138555u, z, p);
-  p = horner_minus(1387197331u, z, p);
-  p = horner_minus(3373259426u, z, p);
+  uint32_t p = horner_minus(kSine[4], z, kSine[5]);
+  p = horner_minus(kSine[3], z, p);
+  p = horner_minus(kSine[2], z, p);
+  p = horner_minus(kSine[1], z, p);
+  p = horner_minus(kSine[0], z, p);
   const WideNormal factor = normalise_wide(t, -1);
   return product(static_cast<uint32_t>(factor.significand >> 32), p, factor.exponent);
 }
@@ -63,8 +64,8 @@ PIXELFLOW_INLINE Normal sine_of_quarter(uint64_t t) {
 // t (a - t (b + c t)), a = pi/2, b = pi - 3, c = 2 - pi/2, in Q1.39 and 5 bytes; a - b - c = 1 exactly.
 PIXELFLOW_INLINE Normal fast_sine_of_quarter(uint64_t t) {
   const uint64_t t_high = t >> 24;  // Q0.40
-  uint64_t p = 77841384515u + (multiply_40(t_high, 235957214686u) >> 8);
-  p = 863554413089u - (multiply_40(t_high, p) >> 8);
+  uint64_t p = kFastSine[1] + (multiply_40(t_high, kFastSine[2]) >> 8);
+  p = kFastSine[0] - (multiply_40(t_high, p) >> 8);
   const WideNormal factor = normalise_wide(t, -1);
   const uint64_t exact = multiply_40(factor.significand >> 24, p);  // 6 bytes, units of 2^-46 of the factor's
   const bool high = (exact >> 47) != 0;
@@ -80,10 +81,10 @@ struct Ratio {
 PIXELFLOW_INLINE Ratio tangent_of_eighth(uint64_t t) {
   const uint32_t t_high = static_cast<uint32_t>(t >> 32);
   const uint32_t z = multiply_high(t_high, t_high);
-  uint32_t p = horner_plus(3526108u, z, 405292u);
-  p = horner_plus(36177473u, z, p);
-  p = horner_plus(598864733u, z, p);
-  p = horner_minus(3373259426u, z, p);
+  uint32_t p = horner_plus(kTangent[3], z, kTangent[4]);
+  p = horner_plus(kTangent[2], z, p);
+  p = horner_plus(kTangent[1], z, p);
+  p = horner_minus(kTangent[0], z, p);
   const WideNormal factor = normalise_wide(t, -1);
   return {product(static_cast<uint32_t>(factor.significand >> 32), p, factor.exponent), ~z};
 }
@@ -91,7 +92,7 @@ PIXELFLOW_INLINE Ratio tangent_of_eighth(uint64_t t) {
 // w (a - b w + c w^2), w = 2 t, a = pi/4, b = pi - 3, c = 3 pi/4 - 2, Q0.32; a - b + c = 1 - 2^-32.
 PIXELFLOW_INLINE Ratio fast_tangent_of_eighth(uint64_t t) {
   const uint32_t w = static_cast<uint32_t>(t >> 31);
-  const uint32_t p = horner_plus(horner_minus(3373259426u, w, 608135817u), multiply_high(w, w), 1529843686u);
+  const uint32_t p = horner_plus(horner_minus(kFastTangent[0], w, kFastTangent[1]), multiply_high(w, w), kFastTangent[2]);
   const WideNormal factor = normalise_wide(t, -1);
   return {product(static_cast<uint32_t>(factor.significand >> 32), p, factor.exponent), 0xFFFFFFFFu};
 }
