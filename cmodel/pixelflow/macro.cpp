@@ -126,15 +126,6 @@ void check(const Operation& o, int workspace_bytes) {
   if (writes_d) check_apart(o.d, "d");
 }
 
-alignas(vectors::kWidth) const std::uint8_t macro::Transposition::kLowBytes[kGroup] = {
-    255, 0, 255, 0, 255, 0, 255, 0, 255, 0, 255, 0, 255, 0, 255, 0, 255, 0, 255, 0, 255, 0,
-    255, 0, 255, 0, 255, 0, 255, 0, 255, 0, 255, 0, 255, 0, 255, 0, 255, 0, 255, 0, 255, 0,
-    255, 0, 255, 0, 255, 0, 255, 0, 255, 0, 255, 0, 255, 0, 255, 0, 255, 0, 255, 0};
-alignas(vectors::kWidth) const std::uint8_t macro::Transposition::kLowHalves[kGroup] = {
-    255, 255, 0,   0,   255, 255, 0,   0,   255, 255, 0,   0,   255, 255, 0,   0,   255, 255, 0,   0,   255, 255,
-    0,   0,   255, 255, 0,   0,   255, 255, 0,   0,   255, 255, 0,   0,   255, 255, 0,   0,   255, 255, 0,   0,
-    255, 255, 0,   0,   255, 255, 0,   0,   255, 255, 0,   0,   255, 255, 0,   0,   255, 255, 0,   0};
-
 void compute(const Operation& o, PixelRow& row) {
   switch (o.code) {
     case Code::Copy:

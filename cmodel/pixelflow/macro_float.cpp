@@ -58,16 +58,15 @@ void arithmetic(const Operation& o, PixelRow& row) {
   const Operand& second = C == Code::FloatSquareRoot ? o.a : o.b;
   const WordWriter writer(o.d, row);
   with_readers(o.a, second, row, [&](const auto& a_reader, const auto& b_reader) {
-    const Transposition transposed;
     each_enabled_group(row, [&](int at, bool all) {
-      const WordGroup a = a_reader.get(transposed, at), b = b_reader.get(transposed, at);
+      const WordGroup a = a_reader.get(at), b = b_reader.get(at);
       WordGroup d;
       for (int n = 0; n < 4; ++n) {
         const Words p = Flush ? flushed(a.part[n]) : a.part[n], q = Flush ? flushed(b.part[n]) : b.part[n];
         d.part[n] = one_nan(apply<C>(reinterpret_cast<Floats>(p), reinterpret_cast<Floats>(q)));
         if (Flush) d.part[n] = flushed(d.part[n]);
       }
-      writer.put(transposed, at, all, d);
+      writer.put(at, all, d);
     });
   });
 }
@@ -94,9 +93,8 @@ void float_compare(const Operation& o, PixelRow& row) {
   std::uint8_t* const condition = row.condition();
   const int lanes = row.padded_lanes();
   with_readers(o.a, o.b, row, [&](const auto& a_reader, const auto& b_reader) {
-    const Transposition transposed;
     for (int at = 0; at < lanes; at += kGroup) {
-      const WordGroup a = a_reader.get(transposed, at), b = b_reader.get(transposed, at);
+      const WordGroup a = a_reader.get(at), b = b_reader.get(at);
       WordGroup holds;
       for (int n = 0; n < 4; ++n) {
         const Floats p = reinterpret_cast<Floats>(o.flush ? flushed(a.part[n]) : a.part[n]);
@@ -105,7 +103,9 @@ void float_compare(const Operation& o, PixelRow& row) {
                         : o.code == Code::FloatLessEqual ? reinterpret_cast<Words>(p <= q)
                                                          : reinterpret_cast<Words>(p == q);
       }
-      store(condition + at, reinterpret_cast<Bytes>(transposed(holds.part).part[0]));
+      Bytes rows[4];
+      rows_of_words(holds, rows);
+      store(condition + at, rows[0]);
     }
   });
 }

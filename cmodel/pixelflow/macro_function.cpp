@@ -21,12 +21,11 @@ bool is_binary(Code code) { return code == Code::Atan2 || code == Code::FastAtan
 
 void function(const Operation& o, PixelRow& row) {
   Batch batch;
-  const Transposition transposed;
   const bool binary = is_binary(o.code);
   with_readers(o.a, binary ? o.b : o.a, row, [&](const auto& a, const auto& b) {
     each_enabled_group(row, [&](int at, bool) {
-      batch.a[batch.count] = a.get(transposed, at);
-      if (binary) batch.b[batch.count] = b.get(transposed, at);
+      batch.a[batch.count] = a.get(at);
+      if (binary) batch.b[batch.count] = b.get(at);
       ++batch.count;
     });
   });
@@ -41,7 +40,7 @@ void function(const Operation& o, PixelRow& row) {
   }
   const WordWriter writer(o.d, row);
   std::size_t n = 0;
-  each_enabled_group(row, [&](int at, bool all) { writer.put(transposed, at, all, batch.d[n++]); });
+  each_enabled_group(row, [&](int at, bool all) { writer.put(at, all, batch.d[n++]); });
 }
 
 }  // namespace pixelflow::macro

@@ -46,37 +46,52 @@ struct WordGroup {
   vectors::Words part[4];
 };
 
-/// Four rows of bytes to numbers, or numbers to rows: the transposition of 4 x 4 bytes, its own inverse.
-class Transposition {
- public:
-  PIXELFLOW_INLINE Transposition() {
-    // From memory and not as constants: the compiler would make them anew for every group.
-    low_bytes_ = *reinterpret_cast<const vectors::Halves*>(kLowBytes);
-    low_halves_ = *reinterpret_cast<const vectors::Words*>(kLowHalves);
+/// Shuffles within each sixteen bytes of two vectors of elements of `Size` bytes: the lower (Half 0) or upper halves of
+/// both, alternating. The hosts have these as single instructions.
+template <int Size, int Half>
+struct Interleaved {
+  static constexpr int of(std::size_t n) {
+    constexpr std::size_t kBlock = 16 / Size, kAll = kGroup / Size;
+    return static_cast<int>(n % 2 * kAll + n / kBlock * kBlock + Half * kBlock / 2 + n % kBlock / 2);
   }
-
-  PIXELFLOW_INLINE WordGroup operator()(const vectors::Words* rows) const {
-    using namespace vectors;
-    Words halves[4];
-    for (int n = 0; n < 4; n += 2) {
-      const Halves low = reinterpret_cast<Halves>(rows[n]), high = reinterpret_cast<Halves>(rows[n + 1]);
-      halves[n] = reinterpret_cast<Words>((low & low_bytes_) | high << 8);
-      halves[n + 1] = reinterpret_cast<Words>(low >> 8 | (high & ~low_bytes_));
-    }
-    WordGroup words;
-    for (int n = 0; n < 2; ++n) {
-      words.part[n] = (halves[n] & low_halves_) | halves[n + 2] << 16;
-      words.part[n + 2] = halves[n] >> 16 | (halves[n + 2] & ~low_halves_);
-    }
-    return words;
-  }
-
- private:
-  alignas(vectors::kWidth) static const std::uint8_t kLowBytes[kGroup];
-  alignas(vectors::kWidth) static const std::uint8_t kLowHalves[kGroup];
-  vectors::Halves low_bytes_;
-  vectors::Words low_halves_;
 };
+
+/// Of two vectors of 32-bit numbers, within each sixteen bytes: byte First of all eight numbers, then byte First + 1.
+template <int First>
+struct PairOfBytes {
+  static constexpr int of(std::size_t n) {
+    const std::size_t block = n / 16 * 16, number = n % 8, byte = First + n % 16 / 8;
+    return static_cast<int>(number / 4 * kGroup + block + number % 4 * 4 + byte);
+  }
+};
+
+/// Four rows of bytes to numbers.
+PIXELFLOW_INLINE WordGroup words_of_rows(const vectors::Bytes* rows) {
+  using namespace vectors;
+  const auto words = [](Bytes low, Bytes high, Words* to) {
+    const Halves l = reinterpret_cast<Halves>(low), h = reinterpret_cast<Halves>(high);
+    to[0] = reinterpret_cast<Words>(shuffle<Interleaved<2, 0>>(l, h));
+    to[1] = reinterpret_cast<Words>(shuffle<Interleaved<2, 1>>(l, h));
+  };
+  WordGroup group;
+  words(shuffle<Interleaved<1, 0>>(rows[0], rows[1]), shuffle<Interleaved<1, 0>>(rows[2], rows[3]), group.part);
+  words(shuffle<Interleaved<1, 1>>(rows[0], rows[1]), shuffle<Interleaved<1, 1>>(rows[2], rows[3]), group.part + 2);
+  return group;
+}
+
+/// And back.
+PIXELFLOW_INLINE void rows_of_words(const WordGroup& group, vectors::Bytes* rows) {
+  using namespace vectors;
+  Bytes words[4];
+  for (int n = 0; n < 4; ++n) words[n] = reinterpret_cast<Bytes>(group.part[n]);
+  const auto two_rows = [](Bytes first, Bytes second, Bytes* to) {
+    const LongWords f = reinterpret_cast<LongWords>(first), s = reinterpret_cast<LongWords>(second);
+    to[0] = reinterpret_cast<Bytes>(shuffle<Interleaved<8, 0>>(f, s));
+    to[1] = reinterpret_cast<Bytes>(shuffle<Interleaved<8, 1>>(f, s));
+  };
+  two_rows(shuffle<PairOfBytes<0>>(words[0], words[1]), shuffle<PairOfBytes<0>>(words[2], words[3]), rows);
+  two_rows(shuffle<PairOfBytes<2>>(words[0], words[1]), shuffle<PairOfBytes<2>>(words[2], words[3]), rows + 2);
+}
 
 /// A 32-bit operand: four rows of memory, or a constant.
 template <bool Uniform>
@@ -87,14 +102,12 @@ class WordReader {
         rows_(Uniform ? nullptr : row.memory(operand.address)) {}
 
   /// The numbers of the group of elements that starts at the lane.
-  PIXELFLOW_INLINE WordGroup get(const Transposition& transposed, int first_lane) const {
+  PIXELFLOW_INLINE WordGroup get(int first_lane) const {
     using namespace vectors;
     if constexpr (Uniform) return {{constant_, constant_, constant_, constant_}};
-    Words rows[4];
-    for (int byte = 0; byte < 4; ++byte) {
-      rows[byte] = reinterpret_cast<Words>(load(rows_ + byte * PixelRow::kLanes + first_lane));
-    }
-    return transposed(rows);
+    Bytes rows[4];
+    for (int byte = 0; byte < 4; ++byte) rows[byte] = load(rows_ + byte * PixelRow::kLanes + first_lane);
+    return words_of_rows(rows);
   }
 
  private:
@@ -108,19 +121,20 @@ class WordWriter {
   WordWriter(const Operand& d, PixelRow& row) : enable_(row.enable()), rows_(row.memory(d.address)) {}
 
   /// Writes the numbers where E is set.
-  PIXELFLOW_INLINE void put(const Transposition& transposed, int first_lane, bool all, const WordGroup& values) const {
+  PIXELFLOW_INLINE void put(int first_lane, bool all, const WordGroup& values) const {
     using namespace vectors;
-    const WordGroup rows = transposed(values.part);
+    Bytes rows[4];
+    rows_of_words(values, rows);
     if (all) {
       for (int byte = 0; byte < 4; ++byte) {
-        store(rows_ + byte * PixelRow::kLanes + first_lane, reinterpret_cast<Bytes>(rows.part[byte]));
+        store(rows_ + byte * PixelRow::kLanes + first_lane, rows[byte]);
       }
       return;
     }
     const Bytes e = load(enable_ + first_lane);
     for (int byte = 0; byte < 4; ++byte) {
       std::uint8_t* const to = rows_ + byte * PixelRow::kLanes + first_lane;
-      store(to, select(e, reinterpret_cast<Bytes>(rows.part[byte]), load(to)));
+      store(to, select(e, rows[byte], load(to)));
     }
   }
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
+#include <utility>
 
 namespace pixelflow::vectors {
 
@@ -18,6 +19,7 @@ typedef std::uint16_t Halves __attribute__((vector_size(kWidth), may_alias));
 typedef std::int16_t SignedHalves __attribute__((vector_size(kWidth), may_alias));
 typedef std::uint32_t Words __attribute__((vector_size(kWidth), may_alias));
 typedef std::int32_t SignedWords __attribute__((vector_size(kWidth), may_alias));
+typedef std::uint64_t LongWords __attribute__((vector_size(kWidth), may_alias));
 typedef float Floats __attribute__((vector_size(kWidth), may_alias));
 
 #define PIXELFLOW_INLINE [[gnu::always_inline]] inline
@@ -45,6 +47,19 @@ PIXELFLOW_INLINE Bytes top_bit(Bytes value) {
   return reinterpret_cast<Bytes>(reinterpret_cast<SignedBytes>(value) < 0);
 }
 PIXELFLOW_INLINE Bytes is_zero(Bytes value) { return reinterpret_cast<Bytes>(value == 0); }
+
+namespace detail {
+template <typename V, typename Index, std::size_t... N>
+PIXELFLOW_INLINE V shuffle(V a, V b, Index, std::index_sequence<N...>) {
+  return __builtin_shufflevector(a, b, Index::of(N)...);
+}
+}  // namespace detail
+
+/// Elements of two vectors: element n of the result is number Index::of(n) of a's elements and then b's.
+template <typename Index, typename V>
+PIXELFLOW_INLINE V shuffle(V a, V b) {
+  return detail::shuffle(a, b, Index{}, std::make_index_sequence<sizeof(V) / sizeof(a[0])>());
+}
 
 /// Bit 7 holds the carry out of a + b + carry in, given the sum.
 PIXELFLOW_INLINE Bytes carry_bit(Bytes a, Bytes b, Bytes sum) { return (a & b) | ((a | b) & ~sum); }
