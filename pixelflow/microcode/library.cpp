@@ -55,6 +55,8 @@ const Entry& entry(Code code) {
     with_float(Code::FloatEqual, "float_equal", Shape::FloatCompare, write_float_compare);
     with_float(Code::FixedToFloat, "fixed_to_float", Shape::ToFloat, write_fixed_to_float);
     with_float(Code::FloatToFixed, "float_to_fixed", Shape::ToFixed, write_float_to_fixed);
+    set(Code::NoiseFixed, "noise_fixed", Shape::Noise, write_noise, noise_workspace);
+    set(Code::NoiseFloat, "noise_float", Shape::Noise, write_noise, noise_workspace);
     return e;
   }();
   return entries[static_cast<std::size_t>(code)];
@@ -83,6 +85,7 @@ void check(const Operation& o) {
   Operation places = o;
   if (shape == Shape::Noise) places.a.bytes = static_cast<std::uint8_t>(o.a.bytes * o.scale);
   check_place(o, o.a, "a");
+  if (!o.a.uniform && o.a.address + places.a.bytes > kMemoryBytes) refuse(o, "a leaves the memory");
   if (binary) check_place(o, o.b, "b");
   if (binary && o.a.uniform && o.b.uniform) refuse(o, "both operands are uniform");
   if (!binary && o.a.uniform && o.code != Code::Copy) refuse(o, "the operand is uniform");
@@ -97,6 +100,10 @@ void check(const Operation& o) {
   };
   const bool floats = shape == Shape::FloatUnary || shape == Shape::FloatBinary || shape == Shape::FloatCompare;
   if (floats || shape == Shape::ToFixed) four(o.a, "a");
+  if (shape == Shape::Noise) {
+    const int bytes = o.code == Code::NoiseFloat ? 4 : 2;
+    if (o.a.bytes != bytes || o.d.bytes != bytes) refuse(o, "a coordinate and the result have " + std::to_string(bytes) + " bytes");
+  }
   if (shape == Shape::FloatBinary || shape == Shape::FloatCompare) four(o.b, "b");
   if (shape == Shape::FloatUnary || shape == Shape::FloatBinary || shape == Shape::ToFloat) four(o.d, "d");
   switch (o.code) {
