@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "pixelflow/microcode/functions/functions.h"
 #include "pixelflow/microcode/routines.h"
 
 namespace pixelflow {
@@ -57,6 +58,30 @@ const Entry& entry(Code code) {
     with_float(Code::FloatToFixed, "float_to_fixed", Shape::ToFixed, write_float_to_fixed);
     set(Code::NoiseFixed, "noise_fixed", Shape::Noise, write_noise, noise_workspace);
     set(Code::NoiseFloat, "noise_float", Shape::Noise, write_noise, noise_workspace);
+    set(Code::Sin, "sin", Shape::FloatUnary, write_trigonometric, trigonometric_workspace);
+    set(Code::Cos, "cos", Shape::FloatUnary, write_trigonometric, trigonometric_workspace);
+    set(Code::Tan, "tan", Shape::FloatUnary, write_trigonometric, trigonometric_workspace);
+    set(Code::Asin, "asin", Shape::FloatUnary, write_arcsine, arcsine_workspace);
+    set(Code::Acos, "acos", Shape::FloatUnary, write_arcsine, arcsine_workspace);
+    set(Code::Atan, "atan", Shape::FloatUnary, write_arctangent, arctangent_workspace);
+    set(Code::Exp, "exp", Shape::FloatUnary, write_exponential, exponential_workspace);
+    set(Code::Exp2, "exp2", Shape::FloatUnary, write_exponential, exponential_workspace);
+    set(Code::Log, "log", Shape::FloatUnary, write_logarithm, logarithm_workspace);
+    set(Code::Log2, "log2", Shape::FloatUnary, write_logarithm, logarithm_workspace);
+    set(Code::FastSin, "fast_sin", Shape::FloatUnary, write_trigonometric, trigonometric_workspace);
+    set(Code::FastCos, "fast_cos", Shape::FloatUnary, write_trigonometric, trigonometric_workspace);
+    set(Code::FastTan, "fast_tan", Shape::FloatUnary, write_trigonometric, trigonometric_workspace);
+    set(Code::FastAsin, "fast_asin", Shape::FloatUnary, write_arcsine, arcsine_workspace);
+    set(Code::FastAcos, "fast_acos", Shape::FloatUnary, write_arcsine, arcsine_workspace);
+    set(Code::FastAtan, "fast_atan", Shape::FloatUnary, write_arctangent, arctangent_workspace);
+    set(Code::FastExp, "fast_exp", Shape::FloatUnary, write_exponential, exponential_workspace);
+    set(Code::FastExp2, "fast_exp2", Shape::FloatUnary, write_exponential, exponential_workspace);
+    set(Code::FastLog, "fast_log", Shape::FloatUnary, write_logarithm, logarithm_workspace);
+    set(Code::FastLog2, "fast_log2", Shape::FloatUnary, write_logarithm, logarithm_workspace);
+    set(Code::InverseSquareRoot, "inversesqrt", Shape::FloatUnary, write_inverse_square_root, inverse_square_root_workspace);
+    set(Code::Atan2, "atan2", Shape::FloatBinary, write_arctangent, arctangent_workspace);
+    set(Code::FastAtan2, "fast_atan2", Shape::FloatBinary, write_arctangent, arctangent_workspace);
+    set(Code::Pow, "pow", Shape::FloatBinary, write_power, power_workspace);
     return e;
   }();
   return entries[static_cast<std::size_t>(code)];
