@@ -103,12 +103,18 @@ void Tally::add(const Tally& other) {
 }
 
 nlohmann::json to_json(const Tally& tally) {
-  return {{"inputs", tally.inputs},     {"equal", tally.equal},
-          {"one_off", tally.one_off},   {"further", tally.further},
-          {"special", tally.special},   {"disorder", tally.disorder},
-          {"max_ulp", tally.max_ulp},   {"max_absolute", tally.max_absolute},
-          {"worst_x", tally.worst_x},   {"worst_y", tally.worst_y},
-          {"max_relative", tally.max_relative}, {"disorder_x", tally.disorder_x}};
+  return {{"inputs", tally.inputs},
+          {"equal", tally.equal},
+          {"one_off", tally.one_off},
+          {"further", tally.further},
+          {"special", tally.special},
+          {"disorder", tally.disorder},
+          {"max_ulp", tally.max_ulp},
+          {"max_absolute", tally.max_absolute},
+          {"worst_x", tally.worst_x},
+          {"worst_y", tally.worst_y},
+          {"max_relative", tally.max_relative},
+          {"disorder_x", tally.disorder_x}};
 }
 
 Tally tally_from(const nlohmann::json& json) {

@@ -11,12 +11,12 @@ namespace accuracy {
 
 struct Tally {
   uint64_t inputs = 0;
-  uint64_t equal = 0;      // the correctly rounded bits
-  uint64_t one_off = 0;    // a neighbour of them
-  uint64_t further = 0;    // anything else
-  uint64_t special = 0;    // wrong where the true value is NaN, infinite or zero: sign and bits must be right there
-  uint64_t disorder = 0;   // neighbouring inputs whose results go the other way than the true values
-  double max_ulp = 0;      // of the result, from the true value, in units of the true value's last place
+  uint64_t equal = 0;     // the correctly rounded bits
+  uint64_t one_off = 0;   // a neighbour of them
+  uint64_t further = 0;   // anything else
+  uint64_t special = 0;   // wrong where the true value is NaN, infinite or zero: sign and bits must be right there
+  uint64_t disorder = 0;  // neighbouring inputs whose results go the other way than the true values
+  double max_ulp = 0;     // of the result, from the true value, in units of the true value's last place
   double max_absolute = 0;
   double max_relative = 0;  // true values below the smallest normal number left out
   uint32_t worst_x = 0;     // of max_ulp
@@ -26,7 +26,8 @@ struct Tally {
   void add(const Tally& other);
 };
 
-// `neighbours`: the inputs follow each other as bit patterns of one sign, so that their order can be judged. y may be null.
+// `neighbours`: the inputs follow each other as bit patterns of one sign, so that their order can be judged. y may be
+// null.
 Tally compare(const uint32_t* x, const uint32_t* y, const uint32_t* result, const double* value,
               const uint32_t* rounded, std::size_t count, bool neighbours);
 

@@ -57,7 +57,9 @@ accuracy::Progress progress_bar() {
 }
 
 void print_exact(const std::vector<std::string>& names, const std::map<std::string, accuracy::Tally>& sums) {
-  fmt::print("| function | inputs | correctly rounded | 1 ulp off | more | special values wrong | largest error, ulp | at |\n");
+  fmt::print(
+      "| function | inputs | correctly rounded | 1 ulp off | more | special values wrong | largest error, ulp | at "
+      "|\n");
   fmt::print("|---|---:|---:|---:|---:|---:|---:|---|\n");
   for (const std::string& name : names) {
     const accuracy::Tally& t = sums.at(name);
@@ -69,8 +71,9 @@ void print_exact(const std::vector<std::string>& names, const std::map<std::stri
 }
 
 void print_fast(const std::vector<std::string>& names, const std::map<std::string, accuracy::Tally>& sums) {
-  fmt::print("| function | inputs | largest relative error | largest absolute error | largest error, ulp | "
-             "special values wrong | neighbours out of order |\n");
+  fmt::print(
+      "| function | inputs | largest relative error | largest absolute error | largest error, ulp | "
+      "special values wrong | neighbours out of order |\n");
   fmt::print("|---|---:|---:|---:|---:|---:|---:|\n");
   for (const std::string& name : names) {
     const accuracy::Tally& t = sums.at(name);
@@ -113,13 +116,15 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
   Options options;
-  CLI::App app("Compares mathematical functions of the pixel processors with correctly rounded values.\n"
-               "Exit status: 0 all within 1 ulp and fast ones in order, 1 not so, 2 wrong usage or no state file.");
+  CLI::App app(
+      "Compares mathematical functions of the pixel processors with correctly rounded values.\n"
+      "Exit status: 0 all within 1 ulp and fast ones in order, 1 not so, 2 wrong usage or no state file.");
   app.option_defaults()->always_capture_default();
   app.add_option("functions", options.functions, "names, or all");
   app.add_option("--state", options.state, "file of finished chunks: a run that is started again goes on after them");
   app.add_option("--threads", options.threads, "threads")->check(CLI::Range(1, 1024));
-  app.add_option("--every", options.every, "only one in so many of the 2^32 arguments")->check(CLI::Range(1u, 1u << 31));
+  app.add_option("--every", options.every, "only one in so many of the 2^32 arguments")
+      ->check(CLI::Range(1u, 1u << 31));
   app.add_option("--pairs", options.pairs, "random pairs for functions of two arguments");
   app.add_option("--seed", options.seed, "seed of the pairs");
   try {

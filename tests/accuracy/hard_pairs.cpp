@@ -27,17 +27,21 @@ uint32_t moderate(uint64_t r, uint32_t reach) {
 
 std::vector<uint32_t> hard_values() {
   std::vector<uint32_t> magnitudes = {
-      0x00000000u, 0x00000001u, 0x00000002u, 0x00000003u, 0x00000100u, 0x003FFFFFu, 0x00400000u, 0x007FFFFFu,  // subnormal
-      0x00800000u, 0x00800001u, 0x00FFFFFFu, 0x01000000u, 0x7F000000u, 0x7F7FFFFEu, 0x7F7FFFFFu,               // extremes
-      0x7F800000u, 0x7FC00000u, 0x7F800001u, 0x7FFFFFFFu,                                                     // no numbers
-      0x33800000u, 0x34000000u, 0x39800000u, 0x3F7FFFFEu, 0x3F7FFFFFu, 0x3F800000u, 0x3F800001u, 0x3F800002u,  // near 1
-      0x3F000000u, 0x3EFFFFFFu, 0x3F000001u, 0x3F400000u, 0x3F3FFFFFu, 0x3FC00000u, 0x3FBFFFFFu, 0x3FC00001u,
-      0x4B000000u, 0x4AFFFFFFu, 0x4B000001u, 0x4B7FFFFFu, 0x4B7FFFFEu, 0x4B800000u, 0x4B800001u, 0x4A7FFFFFu,  // parity
-      0x43000000u, 0x42FFFFFFu, 0x43150000u, 0x43160000u, 0x43150001u, 0x42FC0000u, 0x42FE0000u,               // 128, 149...
-      0x3F490FDBu, 0x3FC90FDBu, 0x40490FDBu, 0x3F317218u, 0x402DF854u, 0x3FB8AA3Bu, 0x3EAAAAABu, 0x3DCCCCCDu,  // constants
+      0x00000000u, 0x00000001u, 0x00000002u, 0x00000003u, 0x00000100u, 0x003FFFFFu, 0x00400000u,
+      0x007FFFFFu,                                                                                // subnormal
+      0x00800000u, 0x00800001u, 0x00FFFFFFu, 0x01000000u, 0x7F000000u, 0x7F7FFFFEu, 0x7F7FFFFFu,  // extremes
+      0x7F800000u, 0x7FC00000u, 0x7F800001u, 0x7FFFFFFFu,                                         // no numbers
+      0x33800000u, 0x34000000u, 0x39800000u, 0x3F7FFFFEu, 0x3F7FFFFFu, 0x3F800000u, 0x3F800001u,
+      0x3F800002u,  // near 1
+      0x3F000000u, 0x3EFFFFFFu, 0x3F000001u, 0x3F400000u, 0x3F3FFFFFu, 0x3FC00000u, 0x3FBFFFFFu,
+      0x3FC00001u, 0x4B000000u, 0x4AFFFFFFu, 0x4B000001u, 0x4B7FFFFFu, 0x4B7FFFFEu, 0x4B800000u,
+      0x4B800001u, 0x4A7FFFFFu,                                                                   // parity
+      0x43000000u, 0x42FFFFFFu, 0x43150000u, 0x43160000u, 0x43150001u, 0x42FC0000u, 0x42FE0000u,  // 128, 149...
+      0x3F490FDBu, 0x3FC90FDBu, 0x40490FDBu, 0x3F317218u, 0x402DF854u, 0x3FB8AA3Bu, 0x3EAAAAABu,
+      0x3DCCCCCDu,  // constants
   };
-  for (const double value : {2.0, 3.0, 4.0, 5.0, 7.0, 10.0, 16.0, 100.0, 1000.0, 1.5, 2.5, 0.25, 0.75, 0.1, 1e-3, 1e-10,
-                             1e10, 1e20, 1e38, 1e-38, 1e-44}) {
+  for (const double value : {2.0,  3.0,  4.0, 5.0,  7.0,   10.0, 16.0, 100.0, 1000.0, 1.5,  2.5,
+                             0.25, 0.75, 0.1, 1e-3, 1e-10, 1e10, 1e20, 1e38,  1e-38,  1e-44}) {
     magnitudes.push_back(bits(value));
   }
   std::vector<uint32_t> values;
@@ -74,7 +78,8 @@ Pairs random_pairs(std::string_view function, uint64_t seed, uint64_t first, uin
       x = moderate(r, kind == 1 ? 8 : 64);
       y = moderate(s, 8);
     }
-    if (kind >= 2 && function == "pow") {  // positive, near 1 in half of them; 2^y log2 x from the smallest to the largest
+    if (kind >= 2 &&
+        function == "pow") {  // positive, near 1 in half of them; 2^y log2 x from the smallest to the largest
       x &= 0x7FFFFFFFu;
       if (kind == 3) x = 0x3F800000u + static_cast<uint32_t>(static_cast<int32_t>(r) >> (8 + (r >> 32) % 24));
       const double log = std::log2(number(x));

@@ -13,12 +13,13 @@ struct Pairs {
   std::vector<uint32_t> y;
 };
 
-// Zeros, subnormal numbers, powers of two and their neighbours, integers around the limits of parity, infinities, NaN...
+// Zeros, subnormal numbers, powers of two and their neighbours, integers around the limits of parity, infinities,
+// NaN...
 std::vector<uint32_t> hard_values();
 // All of them with all of them.
 Pairs hard_pairs();
-// Pair numbers first to first + count - 1 of a sequence that the seed fixes: arbitrary bits, operands of like size, and for
-// pow also bases near 1 with exponents that keep the result in range.
+// Pair numbers first to first + count - 1 of a sequence that the seed fixes: arbitrary bits, operands of like size, and
+// for pow also bases near 1 with exponents that keep the result in range.
 Pairs random_pairs(std::string_view function, uint64_t seed, uint64_t first, uint64_t count);
 
 }  // namespace accuracy

@@ -12,8 +12,8 @@
 
 namespace accuracy {
 
-// One function, exact or fast: both have the same truth. Functions of one argument ignore y. For atan2, x holds the first
-// operand (the ordinate). Not to be shared between threads.
+// One function, exact or fast: both have the same truth. Functions of one argument ignore y. For atan2, x holds the
+// first operand (the ordinate). Not to be shared between threads.
 class Oracle {
  public:
   // An unknown name throws std::invalid_argument.

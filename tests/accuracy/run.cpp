@@ -83,8 +83,9 @@ Tally run_arguments(const UnaryFunction& function, uint64_t first, uint64_t span
                          every == 1);
     if (overlap) {  // counted already
       const bool equal = block.result[0] == block.rounded[0];
-      const Tally again = equal ? Tally{} : compare(block.x.data(), nullptr, block.result.data(), block.value.data(),
-                                                    block.rounded.data(), 1, false);
+      const Tally again = equal ? Tally{}
+                                : compare(block.x.data(), nullptr, block.result.data(), block.value.data(),
+                                          block.rounded.data(), 1, false);
       part.inputs -= 1;
       part.equal -= equal ? 1 : 0;
       part.one_off -= again.one_off;
@@ -144,22 +145,23 @@ std::vector<Chunk> chunks_of(const BinaryFunction& function, uint64_t pairs, uin
   std::vector<Chunk> chunks;
   const std::string name(function.name);
   const std::string version = fingerprint(function);
-  chunks.push_back({name, name + " " + version + " hard", hard_pairs().x.size(),
-                    [&function] { return run_hard_pairs(function); }});
+  chunks.push_back(
+      {name, name + " " + version + " hard", hard_pairs().x.size(), [&function] { return run_hard_pairs(function); }});
   constexpr uint64_t kPairs = 1 << 22;
   for (uint64_t first = 0; first < pairs; first += kPairs) {
     const uint64_t count = std::min(kPairs, pairs - first);
     const std::string key = name + " " + version + " seed " + std::to_string(seed) + " from " + std::to_string(first) +
                             " count " + std::to_string(count);
-    chunks.push_back({name, key, count,
-                      [&function, seed, first, count] { return run_random_pairs(function, seed, first, count); }});
+    chunks.push_back(
+        {name, key, count, [&function, seed, first, count] { return run_random_pairs(function, seed, first, count); }});
   }
   return chunks;
 }
 
 std::map<std::string, Tally> run(const std::vector<Chunk>& chunks, const std::string& state_file, unsigned threads,
                                  const Progress& progress) {
-  const std::map<std::string, Tally> known = state_file.empty() ? std::map<std::string, Tally>() : read_state(state_file);
+  const std::map<std::string, Tally> known =
+      state_file.empty() ? std::map<std::string, Tally>() : read_state(state_file);
   std::ofstream state;
   if (!state_file.empty()) {
     state.open(state_file, std::ios::app);

@@ -1,4 +1,7 @@
-// Microcode of the mathematical functions against their native versions: hard values and random bits, on the golden array.
+// Microcode of the mathematical functions against their native versions: hard values and random bits, on the golden
+// array.
+
+#include "cmodel/pixelflow/native/functions.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +12,6 @@
 #include <string>
 #include <vector>
 
-#include "cmodel/pixelflow/native/functions.h"
 #include "cmodel/pixelflow/pixel_array.h"
 #include "pixelflow/microcode/library.h"
 #include "tests/accuracy/hard_pairs.h"
@@ -32,12 +34,29 @@ struct Function {
 };
 
 constexpr Function kFunctions[] = {
-    {Code::Sin, 8136},      {Code::Cos, 8136},      {Code::Tan, 9325},      {Code::Asin, 7852},
-    {Code::Acos, 7852},     {Code::Atan, 6641},     {Code::Exp, 5337},      {Code::Exp2, 5109},
-    {Code::Log, 5776},      {Code::Log2, 5768},     {Code::InverseSquareRoot, 0},
-    {Code::FastSin, 4564},  {Code::FastCos, 4877},  {Code::FastTan, 5265},  {Code::FastAsin, 4750},
-    {Code::FastAcos, 4750}, {Code::FastAtan, 3534}, {Code::FastExp, 3786},  {Code::FastExp2, 3558},
-    {Code::FastLog, 2157},  {Code::FastLog2, 2149}, {Code::Atan2, 6617},    {Code::FastAtan2, 3515},
+    {Code::Sin, 8136},
+    {Code::Cos, 8136},
+    {Code::Tan, 9325},
+    {Code::Asin, 7852},
+    {Code::Acos, 7852},
+    {Code::Atan, 6641},
+    {Code::Exp, 5337},
+    {Code::Exp2, 5109},
+    {Code::Log, 5776},
+    {Code::Log2, 5768},
+    {Code::InverseSquareRoot, 0},
+    {Code::FastSin, 4564},
+    {Code::FastCos, 4877},
+    {Code::FastTan, 5265},
+    {Code::FastAsin, 4750},
+    {Code::FastAcos, 4750},
+    {Code::FastAtan, 3534},
+    {Code::FastExp, 3786},
+    {Code::FastExp2, 3558},
+    {Code::FastLog, 2157},
+    {Code::FastLog2, 2149},
+    {Code::Atan2, 6617},
+    {Code::FastAtan2, 3515},
     {Code::Pow, 0},
 };
 

@@ -3,8 +3,8 @@
 //   |x| <  1/2: s = |x|,                  v = s A(s^2),   asin = v,            acos = pi/2 -+ v
 //   |x| >= 1/2: s = sqrt((1 - |x|) / 2),  v = 2 s A(s^2), asin = pi/2 - v,     acos = v or pi - v
 // s is a Normal number as a factor (the root is worked out to 32 bits), Q0.32 in the polynomial; A has degree 7, Q1.31.
-// Differences from pi/2 and pi are Q2.30. |x| < 2^-24 returns x (asin). The fast versions have a cubic for s A(s^2) that
-// meets value and slope at s = 0 and 1/2: as asin(s) there, hence continuous at |x| = 1/2.
+// Differences from pi/2 and pi are Q2.30. |x| < 2^-24 returns x (asin). The fast versions have a cubic for s A(s^2)
+// that meets value and slope at s = 0 and 1/2: as asin(s) there, hence continuous at |x| = 1/2.
 #ifndef VSG_CMODEL_PIXELFLOW_NATIVE_ARCSINE_H_
 #define VSG_CMODEL_PIXELFLOW_NATIVE_ARCSINE_H_
 

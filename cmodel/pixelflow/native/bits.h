@@ -45,21 +45,21 @@ PIXELFLOW_INLINE uint64_t multiply_40(uint64_t a, uint64_t b) {
   return ((a_low * b_low) >> 32) + a_high * b_low + a_low * b_high + ((a_high * b_high) << 32);
 }
 
-// condition ? a : b, condition 0 or 1, without a branch: the compiler makes one out of several choices by one condition.
-PIXELFLOW_INLINE uint32_t select(uint32_t condition, uint32_t a, uint32_t b) { return b ^ ((a ^ b) & (0u - condition)); }
+// condition ? a : b, condition 0 or 1, without a branch: the compiler makes one out of several choices by one
+// condition.
+PIXELFLOW_INLINE uint32_t select(uint32_t condition, uint32_t a, uint32_t b) {
+  return b ^ ((a ^ b) & (0u - condition));
+}
 PIXELFLOW_INLINE uint64_t select_wide(uint32_t condition, uint64_t a, uint64_t b) {
   return b ^ ((a ^ b) & (uint64_t{0} - condition));
 }
 PIXELFLOW_INLINE Normal select(uint32_t condition, Normal a, Normal b) {
-  const uint32_t exponent =
-      select(condition, static_cast<uint32_t>(a.exponent), static_cast<uint32_t>(b.exponent));
+  const uint32_t exponent = select(condition, static_cast<uint32_t>(a.exponent), static_cast<uint32_t>(b.exponent));
   return {select(condition, a.significand, b.significand), static_cast<int32_t>(exponent)};
 }
 
 // Shifts by a count of the element; zero when nothing is left.
-PIXELFLOW_INLINE uint32_t shift_right(uint32_t value, int32_t count) {
-  return count > 31 ? 0u : value >> (count & 31);
-}
+PIXELFLOW_INLINE uint32_t shift_right(uint32_t value, int32_t count) { return count > 31 ? 0u : value >> (count & 31); }
 PIXELFLOW_INLINE uint64_t shift_right_wide(uint64_t value, int32_t count) {
   return count > 63 ? 0u : value >> (count & 63);
 }
@@ -71,8 +71,8 @@ PIXELFLOW_INLINE uint32_t shift_right_sticky(uint32_t value, int32_t count) {
   return kept | (back != value ? 1u : 0u);
 }
 
-// Shifts left until bit 31 is set, by 16, 8, 4, 2, 1; exponent falls by the count. Zero stays zero. By recursion, here and
-// below: the compiler unrolls few loops before it looks for vectors.
+// Shifts left until bit 31 is set, by 16, 8, 4, 2, 1; exponent falls by the count. Zero stays zero. By recursion, here
+// and below: the compiler unrolls few loops before it looks for vectors.
 template <int Step = 16>
 PIXELFLOW_INLINE Normal normalise(uint32_t value, int32_t exponent) {
   const bool clear = (value >> (32 - Step)) == 0;
@@ -161,8 +161,7 @@ PIXELFLOW_INLINE Root root_more(Root state) {
     const uint64_t next = (state.remainder << 2) | (state.radicand >> 62);
     const uint64_t trial = (state.root << 2) | 1u;
     const bool take = next >= trial;
-    return root_more<Bits - 1>(
-        {state.radicand << 2, next - (take ? trial : 0u), (state.root << 1) | (take ? 1u : 0u)});
+    return root_more<Bits - 1>({state.radicand << 2, next - (take ? trial : 0u), (state.root << 1) | (take ? 1u : 0u)});
   }
 }
 

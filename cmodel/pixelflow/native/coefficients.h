@@ -1,5 +1,6 @@
-// Coefficients of the mathematical functions, lowest degree first, in units of 2^-31 or 2^-32 unless said. Native versions
-// and microcode share them. polynomials.sollya makes the minimax ones; subtracted ones are stored without their sign.
+// Coefficients of the mathematical functions, lowest degree first, in units of 2^-31 or 2^-32 unless said. Native
+// versions and microcode share them. polynomials.sollya makes the minimax ones; subtracted ones are stored without
+// their sign.
 #ifndef VSG_CMODEL_PIXELFLOW_NATIVE_COEFFICIENTS_H_
 #define VSG_CMODEL_PIXELFLOW_NATIVE_COEFFICIENTS_H_
 

@@ -1,9 +1,9 @@
 // exp2, exp and their fast versions. Paper: section 6.1.4.
 //
-// The exponent of 2 is brought to Q8.32 (5 bytes) with its sign apart: |x| shifted, or |x| log2(e) from an exact product
-// of 3 by 5 bytes. Negated where x is negative, its integer byte is the exponent of the result, and with its fraction f
-// 2^f = 1 + f F(f), F of degree 6, Q1.31. What cannot be held counts as 256 - 2^-32: infinity or zero either way.
-// The fast versions have a cubic for 2^f that meets value and slope at f = 0 and 1.
+// The exponent of 2 is brought to Q8.32 (5 bytes) with its sign apart: |x| shifted, or |x| log2(e) from an exact
+// product of 3 by 5 bytes. Negated where x is negative, its integer byte is the exponent of the result, and with its
+// fraction f 2^f = 1 + f F(f), F of degree 6, Q1.31. What cannot be held counts as 256 - 2^-32: infinity or zero either
+// way. The fast versions have a cubic for 2^f that meets value and slope at f = 0 and 1.
 #ifndef VSG_CMODEL_PIXELFLOW_NATIVE_EXPONENTIAL_H_
 #define VSG_CMODEL_PIXELFLOW_NATIVE_EXPONENTIAL_H_
 

@@ -1,6 +1,7 @@
 // The mathematical functions on arrays of float32 bit patterns: the macro level's native versions, bit for bit what the
-// microcode of pixelflow/microcode/functions computes. Any pattern is allowed; nothing fails. Results: NaN is 0x7FC00000.
-// Accuracy and formats: docs/pixelflow_functions.md. Arrays may be the same, but must not overlap otherwise.
+// microcode of pixelflow/microcode/functions computes. Any pattern is allowed; nothing fails. Results: NaN is
+// 0x7FC00000. Accuracy and formats: docs/pixelflow_functions.md. Arrays may be the same, but must not overlap
+// otherwise.
 #ifndef VSG_CMODEL_PIXELFLOW_NATIVE_FUNCTIONS_H_
 #define VSG_CMODEL_PIXELFLOW_NATIVE_FUNCTIONS_H_
 

@@ -43,7 +43,7 @@ PIXELFLOW_INLINE Logarithm logarithm_of(uint32_t a) {
   g = horner_plus(kLogarithm[1], w, g);
   g = horner_plus(kLogarithm[0], w, g);
   const uint64_t p = kTwoOverLn2 + multiply_high(w, g);  // Q4.36
-  const uint64_t log_m = multiply_40(s, p);                // below 2^46, units of 2^(exponent - 44)
+  const uint64_t log_m = multiply_40(s, p);              // below 2^46, units of 2^(exponent - 44)
 
   const uint32_t has_integer = whole != 0 ? 1u : 0u;
   const uint32_t negative = select(has_integer, static_cast<uint32_t>(whole) >> 31, below_one);

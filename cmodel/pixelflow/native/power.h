@@ -1,7 +1,7 @@
 // pow(x, y) = 2^(y log2 |x|), with the special cases of C99 (F.9.4.4). Paper: section 6.1.4.
 //
-// log2 |x| to 5 bytes times the 3 bytes of y is an exact 8-byte product; it is shifted to Q8.32 for 2^f. The error before
-// rounding is below 2^-28 of the result. An odd integer y passes on the sign of x.
+// log2 |x| to 5 bytes times the 3 bytes of y is an exact 8-byte product; it is shifted to Q8.32 for 2^f. The error
+// before rounding is below 2^-28 of the result. An odd integer y passes on the sign of x.
 #ifndef VSG_CMODEL_PIXELFLOW_NATIVE_POWER_H_
 #define VSG_CMODEL_PIXELFLOW_NATIVE_POWER_H_
 

@@ -13,11 +13,11 @@ using functions::Kit;
 
 struct Places {
   explicit Places(int work) : root(work) {}
-  int root;               ///< 4 bytes: s, then v
+  int root;                 ///< 4 bytes: s, then v
   int radicand = root + 4;  ///< 4: then s in Q0.32
-  int z = radicand + 4;   ///< 4: s^2, then v in Q2.30
-  int p = z + 4;          ///< 4: polynomial, then the result
-  int field = p + 4;      ///< of s, then of v
+  int z = radicand + 4;     ///< 4: s^2, then v in Q2.30
+  int p = z + 4;            ///< 4: polynomial, then the result
+  int field = p + 4;        ///< of s, then of v
   int count = field + 1;
   int flags = count + 1;  ///< K: |x| >= 1/2
   int more = flags + 1;   ///< workspace of the root
@@ -141,7 +141,8 @@ void write_arcsine(Assembler& a, const Operation& o) {
   k.k_from(at.flags, Kit::kKeptK, !cosine);
   if (cosine) k.k_from(x + 3, 7, true, FlagOp::And);
   a.flag(Flag::K, Bit::K, true);
-  for (int n = 0; n < 4; ++n) a.alu(Alu::Or, To::Memory, P::W, Q::Immediate, {.addr = at.root + n, .at = n, .gate = Gate::EAndK});
+  for (int n = 0; n < 4; ++n)
+    a.alu(Alu::Or, To::Memory, P::W, Q::Immediate, {.addr = at.root + n, .at = n, .gate = Gate::EAndK});
   a.store(P::X, at.field, Gate::EAndK);
   k.load(at.root);
   a.load_x(at.field);
@@ -178,8 +179,8 @@ void write_inverse_square_root(Assembler& a, const Operation& o) {
   const int field16 = at.field;  // and at.count
   const int result = at.p;
   k.split(at.radicand, field16, x);
-  // The exponent e = field - 127 is even where the field is odd; the root's is floor(e / 2), the inverse's -1 - floor(e / 2):
-  // its field is 126 - floor((field - 127) / 2) = 190 - ceil(field / 2) for odd fields, and so for even ones.
+  // The exponent e = field - 127 is even where the field is odd; the root's is floor(e / 2), the inverse's -1 - floor(e
+  // / 2): its field is 126 - floor((field - 127) / 2) = 190 - ceil(field / 2) for odd fields, and so for even ones.
   k.k_from(field16, 0);
   k.load(at.radicand);
   a.shift_right(0, Fill::Zero, When::K);

@@ -11,17 +11,17 @@ using functions::Kit;
 
 struct Places {
   explicit Places(int work) : small(work) {}
-  int small;                      ///< 4 bytes: lesser magnitude, its significand, then v
-  int large = small + 4;          ///< 4: greater magnitude, its significand, then v in Q2.30
-  int small_field = large + 4;    ///< 2: then of v
+  int small;                       ///< 4 bytes: lesser magnitude, its significand, then v
+  int large = small + 4;           ///< 4: greater magnitude, its significand, then v in Q2.30
+  int small_field = large + 4;     ///< 2: then of v
   int distance = small_field + 2;  ///< 2: field of the greater; then places of q before its first bit, at most 200
-  int quotient = distance + 2;    ///< 4
-  int z = quotient + 4;           ///< 4: q in Q0.32, then its square
-  int p = z + 4;                  ///< 4: polynomial, then the result
-  int flat = p + 4;               ///< K: |y| <= |x|
-  int zero = flat + 1;            ///< K: q counts as 0
+  int quotient = distance + 2;     ///< 4
+  int z = quotient + 4;            ///< 4: q in Q0.32, then its square
+  int p = z + 4;                   ///< 4: polynomial, then the result
+  int flat = p + 4;                ///< K: |y| <= |x|
+  int zero = flat + 1;             ///< K: q counts as 0
   int count = zero + 1;
-  int uniform = count + 1;        ///< 4: an operand that is a constant
+  int uniform = count + 1;  ///< 4: an operand that is a constant
 };
 
 constexpr int kFurthest = 200;  // the result is zero, or does not see v any more, long before
@@ -138,13 +138,15 @@ void write_arctangent(Assembler& a, const Operation& o) {
   a.clear_w();
   for (int n = 0; n < 4; ++n) {
     a.load_m(at.p + n);
-    a.alu(Alu::AddSub, To::W, P::M, Q::Memory, {.addr = at.large + n, .at = n, .cin = n ? Carry::C : Carry::K, .c = true});
+    a.alu(Alu::AddSub, To::W, P::M, Q::Memory,
+          {.addr = at.large + n, .at = n, .cin = n ? Carry::C : Carry::K, .c = true});
   }
   a.set_x(128);
   a.normalize();
   k.k_from(at.flat, Kit::kKeptK, true);
   k.k_from(x + 3, 7, false, FlagOp::Or);
-  for (int n = 0; n < 4; ++n) a.alu(Alu::Or, To::Memory, P::W, Q::Immediate, {.addr = at.small + n, .at = n, .gate = Gate::EAndK});
+  for (int n = 0; n < 4; ++n)
+    a.alu(Alu::Or, To::Memory, P::W, Q::Immediate, {.addr = at.small + n, .at = n, .gate = Gate::EAndK});
   a.store(P::X, at.small_field, Gate::EAndK);
   a.store_constant(0, at.small_field + 1, Gate::EAndK);
   k.round_any(result, at.small, at.small_field, at.count, y + 3);

@@ -33,9 +33,9 @@ namespace {
 
 struct Places {
   explicit Places(int work) : exponent(work) {}
-  int exponent;            ///< 6 bytes: Q8.32, then the result and its field
-  int p = exponent + 6;    ///< 4
-  int m = p + 4;           ///< 3: significand; then a byte of workspace and the sign
+  int exponent;          ///< 6 bytes: Q8.32, then the result and its field
+  int p = exponent + 6;  ///< 4
+  int m = p + 4;         ///< 3: significand; then a byte of workspace and the sign
   int count = m + 3;
   static constexpr int kBytes = 14;
 };

@@ -44,7 +44,8 @@ void Kit::add_byte(int to, int from, int other, bool subtract) {
 void Kit::negate_if(int number, int n, int top) {
   for (int i = 0; i < n; ++i) {
     a.load_m(number + i);
-    a.alu(Alu::NegateIf, To::Memory, P::M, Q::Immediate, {.addr = number + i, .cin = i ? Carry::C : Carry::K, .c = true});
+    a.alu(Alu::NegateIf, To::Memory, P::M, Q::Immediate,
+          {.addr = number + i, .cin = i ? Carry::C : Carry::K, .c = true});
   }
   if (top >= 0) a.alu(Alu::NegateIf, To::Memory, P::Zero, Q::Immediate, {.addr = top, .cin = Carry::C});
 }
@@ -77,7 +78,8 @@ void Kit::k_if_magnitude_at_least(int x, std::uint32_t value) {
     } else {
       a.alu(Alu::And, To::M, P::Immediate, Q::Memory, {.addr = x + i, .imm = 0x7F});
     }
-    a.alu(Alu::Sub, To::None, P::M, Q::Immediate, {.imm = byte_of(value, i), .cin = i ? Carry::C : Carry::One, .c = true});
+    a.alu(Alu::Sub, To::None, P::M, Q::Immediate,
+          {.imm = byte_of(value, i), .cin = i ? Carry::C : Carry::One, .c = true});
   }
   a.flag(Flag::K, Bit::C);
 }
@@ -250,7 +252,8 @@ void Kit::divide_byte(int quotient, int divisor) {
   for (int bit = 0; bit < 8; ++bit) {
     a.divide(bit > 0, true, 4);
     for (int n = 0; n < 4; ++n) {
-      a.alu(Alu::AddSub, To::W, P::W, Q::Memory, {.addr = divisor + n, .at = n, .cin = n ? Carry::C : Carry::K, .c = true});
+      a.alu(Alu::AddSub, To::W, P::W, Q::Memory,
+            {.addr = divisor + n, .at = n, .cin = n ? Carry::C : Carry::K, .c = true});
     }
   }
   a.divide(true, false, 4);

@@ -1,5 +1,6 @@
-// The steps that the mathematical functions are made of, on numbers in element memory, least significant byte first. Each one
-// is the microcode of a step of the same name in cmodel/pixelflow/native/bits.h. Cycles stand beside them (n bytes).
+// The steps that the mathematical functions are made of, on numbers in element memory, least significant byte first.
+// Each one is the microcode of a step of the same name in cmodel/pixelflow/native/bits.h. Cycles stand beside them (n
+// bytes).
 //
 // "Field" is an exponent as it stands in a float32, e + 127. Registers are free for use; flags change as said.
 #pragma once
@@ -35,8 +36,9 @@ class Kit {
   void store(int to);                                                 ///< W: 4
   void add(int to, int from, int value);                              ///< to := from + value, a byte; C := carry: 2
   void add_byte(int to, int from, int other, bool subtract = false);  ///< bytes; C: 3
-  void negate_if(int number, int n, int top = -1);                    ///< K: two's complement; `top`: a byte of sign above
-  void add_or_subtract(int to, std::uint64_t value, int n, int number);  ///< to := K ? value - number : value + number: 3n
+  void negate_if(int number, int n, int top = -1);  ///< K: two's complement; `top`: a byte of sign above
+  void add_or_subtract(int to, std::uint64_t value, int n,
+                       int number);  ///< to := K ? value - number : value + number: 3n
 
   // Flags. K keeps for later in a byte of memory.
   void keep_flags(int to) { a.alu(Alu::Or, To::Memory, P::Zero, Q::Flags, {.addr = to}); }  ///< 0 0 0 E K S Z C
@@ -45,10 +47,10 @@ class Kit {
   void k_from(int address, int bit, bool invert = false, FlagOp op = FlagOp::Move) {
     a.flag_of_memory(Flag::K, address, bit, invert, op);
   }
-  void k_if_zero(int from, int n, bool invert = false);                 ///< K := number = 0: n + 1
-  void k_if_at_least(int byte, int value);                              ///< K := byte >= value: 3
-  void k_if_magnitude_at_least(int x, std::uint32_t value);             ///< K := |float bits| >= value: 9
-  void k_if_number_at_least(int one, int other, int n);                 ///< K := one >= other: 2n + 1
+  void k_if_zero(int from, int n, bool invert = false);      ///< K := number = 0: n + 1
+  void k_if_at_least(int byte, int value);                   ///< K := byte >= value: 3
+  void k_if_magnitude_at_least(int x, std::uint32_t value);  ///< K := |float bits| >= value: 9
+  void k_if_number_at_least(int one, int other, int n);      ///< K := one >= other: 2n + 1
 
   // Products: to := value +- floor(x y / 256^drop), `keep` bytes. `to` may be y where x has at most drop bytes.
   enum class Finish { None, Plus, Minus };
@@ -57,9 +59,9 @@ class Kit {
   void horner(int p, int z, std::span<const std::uint32_t> c, const char* signs);
 
   // Shifts by the element's own count.
-  void shift_right_word(int to, int from, int count);       ///< 4 bytes by any count of a byte; zero beyond 31
-  void shift_right_number(int number, int n, int count);    ///< n bytes by any count of a byte
-  void shift_left_small(int number, int n);                 ///< by X modulo 8
+  void shift_right_word(int to, int from, int count);     ///< 4 bytes by any count of a byte; zero beyond 31
+  void shift_right_number(int number, int n, int count);  ///< n bytes by any count of a byte
+  void shift_left_small(int number, int n);               ///< by X modulo 8
   /// Moves left until the top bit is set; count := places, 63 (31 for 4 bytes) where the number is 0.
   void normalise(int number, int n, int count);
   /// W normalised in place; X comes down by the places.
@@ -78,8 +80,8 @@ class Kit {
 
   /// result := W rounded to nearest even, exponent field X, sign S: 13. A carry into the exponent is taken along.
   void round_normal(int result);
-  /// The same of 4 bytes with bit 31 set and a field of 2 bytes: subnormals, zero and infinity too. The sign is bit 7 of a
-  /// byte. `count` is workspace.
+  /// The same of 4 bytes with bit 31 set and a field of 2 bytes: subnormals, zero and infinity too. The sign is bit 7
+  /// of a byte. `count` is workspace.
   void round_any(int result, int number, int field16, int count, int sign);
 
  private:

@@ -12,18 +12,18 @@ using functions::Kit;
 struct Places {
   explicit Places(int work) : log(work) {}
   functions::LogarithmPlaces log;
-  int product = log.scratch;      ///< 8 bytes: y log2 |x|, then its lower 5 as the exponent, then the result
-  int y = product + 8;            ///< 4: significand
-  int field16 = y + 4;            ///< 2: of y
-  int places = field16 + 2;       ///< 2: of the product to the right
-  int p = places + 2;             ///< 4
-  int parity = p + 4;             ///< S: y is odd, K: y is an integer
+  int product = log.scratch;  ///< 8 bytes: y log2 |x|, then its lower 5 as the exponent, then the result
+  int y = product + 8;        ///< 4: significand
+  int field16 = y + 4;        ///< 2: of y
+  int places = field16 + 2;   ///< 2: of the product to the right
+  int p = places + 2;         ///< 4
+  int parity = p + 4;         ///< S: y is odd, K: y is an integer
   int flags = parity + 1;
-  int sign = flags + 1;           ///< bit 7: of the result
+  int sign = flags + 1;  ///< bit 7: of the result
   int count = sign + 1;
-  int infinite = count + 1;       ///< K: the limit is infinite
-  int extreme = infinite + 1;     ///< K: the limit counts
-  int operand = extreme + 1;      ///< 4: a uniform operand
+  int infinite = count + 1;    ///< K: the limit is infinite
+  int extreme = infinite + 1;  ///< K: the limit counts
+  int operand = extreme + 1;   ///< 4: a uniform operand
   static constexpr int kBytes = 35;
 };
 static_assert(Places::kBytes >= functions::LogarithmPlaces::kBytes);

@@ -13,16 +13,16 @@ using functions::Kit;
 /// The workspace. The window of 2/pi takes 28 bytes while it is chosen; its lower 9 then become the angle in quadrants.
 struct Places {
   explicit Places(int work) : fraction(work) {}
-  int fraction;                   ///< 8 bytes, Q0.64
-  int quadrant = fraction + 8;    ///< modulo 4 in its low bits
-  int m = fraction + 28;          ///< 4 bytes: the significand, shifted
-  int z = fraction + 9;           ///< 4: square of t, then the divisor of the tangent
-  int p = z + 4;                  ///< 4 or 5: polynomial
-  int t = p + 5;                  ///< 4: value, then quotient
+  int fraction;                 ///< 8 bytes, Q0.64
+  int quadrant = fraction + 8;  ///< modulo 4 in its low bits
+  int m = fraction + 28;        ///< 4 bytes: the significand, shifted
+  int z = fraction + 9;         ///< 4: square of t, then the divisor of the tangent
+  int p = z + 4;                ///< 4 or 5: polynomial
+  int t = p + 5;                ///< 4: value, then quotient
   int count = t + 5;
   int field = count + 1;
   int flags = field + 1;
-  int result = m;                 ///< 4
+  int result = m;  ///< 4
   static constexpr int kBytes = 32;
 };
 
@@ -115,7 +115,6 @@ void write_tangent(Kit& k, const Places& at, bool fast) {
   Assembler& a = k.a;
   const int numerator = at.t;
   if (fast) {
-
     a.alu(Alu::ShiftLeft, To::None, P::Zero, Q::Memory, {.addr = at.fraction + 3, .c = true});
     for (int n = 0; n < 4; ++n) {
       a.alu(Alu::ShiftLeft, To::M, P::Zero, Q::Memory, {.addr = at.fraction + 4 + n, .cin = Carry::C, .c = true});
@@ -156,7 +155,8 @@ void write_tangent(Kit& k, const Places& at, bool fast) {
   k.copy(numerator, at.z, 4, Gate::EAndK);
   k.copy(at.z, at.p, 4, Gate::EAndK);
   a.load_m(at.field);
-  a.alu(Alu::ReverseSub, To::Memory, P::M, Q::Immediate, {.addr = at.field, .imm = 252, .cin = Carry::One, .gate = Gate::EAndK});
+  a.alu(Alu::ReverseSub, To::Memory, P::M, Q::Immediate,
+        {.addr = at.field, .imm = 252, .cin = Carry::One, .gate = Gate::EAndK});
   k.k_if_number_at_least(numerator, at.z, 4);
   k.load(numerator);
   a.shift_right(0, Fill::Zero, When::K);
