@@ -45,6 +45,8 @@ nlohmann::ordered_json table_json(const Table& table) {
                                {"confidence", text_or_null(cell.confidence)},
                                {"measured", number_json(cell.measured)},
                                {"ratio", number_json(cell.ratio())}};
+    if (cell.max_error_ulp) row["max_error_ulp"] = number_json(cell.max_error_ulp);
+    if (cell.workspace_bytes) row["workspace_bytes"] = *cell.workspace_bytes;
     if (!cell.note.empty()) row["note"] = cell.note;
     rows.push_back(std::move(row));
   }

@@ -15,6 +15,8 @@ struct Cell {
                            ///< source has no such cell
   std::optional<double> measured;
   std::string note;
+  std::optional<double> max_error_ulp{};  ///< of arithmetic and functions
+  std::optional<int> workspace_bytes{};   ///< of a pixel's memory, operands and result apart
 
   /// Measured over published; none where either is missing or the published figure is zero.
   std::optional<double> ratio() const;

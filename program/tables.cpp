@@ -8,6 +8,8 @@
 #include "program/commands.h"
 #include "program/generator_options.h"
 #include "program/output_file.h"
+#include "program/pixel_options.h"
+#include "program/pixelflow_tables.h"
 #include "program/refuse.h"
 #include "scanline/edge_history.h"
 #include "scanline/golden_generator.h"
@@ -89,18 +91,29 @@ struct TablesOptions {
   std::string name, data;
   bool json = false;
   GeneratorOptions generator;
+  PixelOptions pixels;
 };
+
+bool is_pixelflow(const std::string& name) { return name.starts_with("pixelflow"); }
+
+void run_pixelflow_tables(const TablesOptions& options) {
+  const auto array = make_array(options.pixels, pixelflow::kElements);
+  const std::filesystem::path tables = data_folder(options.data) / "tables";
+  const Table table = options.name == "pixelflow2" ? pixelflow2(*array, tables) : pixelflow3(*array, tables);
+  write_standard_output(options.json ? table_json(table).dump(1) + "\n" : pixelflow_text(table));
+}
 
 }  // namespace
 
 void add_tables(CLI::App& app, const std::string& command_line) {
   CLI::App* command = app.add_subcommand("tables", "Published figures beside measured ones, row by row");
-  command->group("Results of the thesis");
+  command->group("Results of the thesis and the paper");
   const auto options = std::make_shared<TablesOptions>();
-  command->add_option("name", options->name, "fig32, fig33: figures of the thesis; claims: statements of its text")
+  command->add_option("name", options->name, "fig32, fig33: figures of the thesis; claims: statements of its text; pixelflow2, pixelflow3: "
+                                            "cycles of arithmetic and of functions on the pixel processors")
       ->required()
-      ->check(CLI::IsMember({"fig32", "fig33", "claims"}).description(""))
-      ->type_name("fig32|fig33|claims");
+      ->check(CLI::IsMember({"fig32", "fig33", "claims", "pixelflow2", "pixelflow3"}).description(""))
+      ->type_name("fig32|fig33|claims|pixelflow2|pixelflow3");
   command->add_flag("--json", options->json, "JSON instead of a table for people")->group("Output");
   command
       ->add_option("--data", options->data,
@@ -109,7 +122,12 @@ void add_tables(CLI::App& app, const std::string& command_line) {
       ->group("Input");
   add_generator_options(*command, options->generator, "rtl");
   options->generator.replay = command_line;
+  add_pixel_options(*command, options->pixels);
   command->callback([options] {
+    if (is_pixelflow(options->name)) {
+      run_pixelflow_tables(*options);
+      return;
+    }
     const auto generator = make_generator(options->generator, {});
     SceneMeter meter(data_folder(options->data), *generator);
     run_tables(options->name, options->json, meter);

@@ -4,8 +4,6 @@
 
 namespace pixelflow {
 
-int float_workspace(const Operation&) { return FloatParts::kBytes; }
-
 namespace {
 
 /// Workspace of an addition, which does not take its operands apart as the others do.
@@ -15,7 +13,8 @@ struct AddPlaces {
   int exponent;  ///< its exponent
   int sign;      ///< its top byte
   int b3;        ///< top byte of b, turned round in a subtraction
-  int constant;  ///< four bytes for a uniform operand, or one flushed
+  int constant;  ///< four bytes for a uniform operand
+  static constexpr int kBytes = 10;
 };
 
 /// M := byte of the larger operand where K says that this is b.
@@ -34,6 +33,9 @@ void hidden_bit_into_m(Assembler& a) {
 }
 
 }  // namespace
+
+int float_add_workspace(const Operation& o) { return o.a.uniform || o.b.uniform ? AddPlaces::kBytes : AddPlaces::kBytes - 4; }
+int float_workspace(const Operation&) { return FloatParts::kBytes; }
 
 void write_float_add(Assembler& a, const Operation& o) {
   FloatParts parts(a, o);

@@ -29,6 +29,8 @@ void test_number(Assembler& a, int address) {
 
 }  // namespace
 
+int float_compare_workspace(const Operation& o) { return o.a.uniform || o.b.uniform ? 4 : 0; }
+
 void write_float_compare(Assembler& a, const Operation& o) {
   FloatParts parts(a, o);
   int fa = parts.address(o.a, o.work), fb = parts.address(o.b, o.work);

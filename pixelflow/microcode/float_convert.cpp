@@ -22,6 +22,9 @@ struct ToFixed {
 
 }  // namespace
 
+int fixed_to_float_workspace(const Operation& o) { return o.a.bytes > 4 ? 9 : o.a.is_signed ? o.a.bytes : 0; }
+int float_to_fixed_workspace(const Operation& o) { return 6 + ToFixed(o).bytes; }
+
 void write_fixed_to_float(Assembler& a, const Operation& o) {
   const ToFloat w(o.work);
   FloatParts parts(a, o);

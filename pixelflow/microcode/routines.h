@@ -39,6 +39,10 @@ void write_float_compare(Assembler& a, const Operation& o);
 void write_fixed_to_float(Assembler& a, const Operation& o);
 void write_float_to_fixed(Assembler& a, const Operation& o);
 int float_workspace(const Operation& o);
+int float_add_workspace(const Operation& o);
+int float_compare_workspace(const Operation& o);
+int fixed_to_float_workspace(const Operation& o);
+int float_to_fixed_workspace(const Operation& o);
 
 void write_noise(Assembler& a, const Operation& o);
 int noise_workspace(const Operation& o);
