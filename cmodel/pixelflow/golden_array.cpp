@@ -136,7 +136,7 @@ void GoldenArray::run(const Program& program) {
 void GoldenArray::run_tile(const Program& program, const std::vector<std::uint64_t>& step_cycles, PixelRow& tile) {
   for (std::size_t n = 0; n < program.steps.size(); ++n) {
     const Step& step = program.steps[n];
-    const bool natively = level_ == Level::Macro && step.operation && is_native(step.operation->code);
+    const bool natively = level_ == Level::Macro && step.operation.has_value();
     int simulated = tile.lanes();
     if (step.operation && !is_comparison(step.operation->code)) {
       const std::uint32_t enabled = tile.enabled_groups().any;

@@ -11,9 +11,9 @@ namespace pixelflow {
 /// Levels model and macro. Cycles are counted from the instructions at both, so that they are the same.
 ///
 /// What is left out: the run of an operation in a tile in which E is clear everywhere, and at the macro level in each
-/// group of 64 such elements. That changes no byte of the memory, and E and K stay specified: operations do not write
-/// E, and comparisons, which write K regardless of E, are never left out. Instructions that belong to no operation are
-/// never left out.
+/// group of 64 such elements. Nothing that a program may rely on changes: an operation writes memory only where E is
+/// set, and leaves E as it is. Comparisons, whose K is that of the microcode where E is set, are short and never left
+/// out; nor are instructions that belong to no operation.
 class GoldenArray : public PixelArray {
  public:
   /// Throws std::invalid_argument for Level::Rtl, lanes below 1, or a digit other than 1, 2, 4 or 8 bits.

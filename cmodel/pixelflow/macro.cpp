@@ -68,8 +68,6 @@ bool is_comparison(Code code) {
   return between(code, Code::Less, Code::Equal) || between(code, Code::FloatLess, Code::FloatEqual);
 }
 
-bool is_native(Code code) { return code < Code::NoiseFixed; }
-
 int operand_count(Code code) {
   switch (code) {
     case Code::Copy:
@@ -104,7 +102,9 @@ void check(const Operation& o, int workspace_bytes) {
   const bool writes_d = !is_comparison(o.code), reads_b = operand_count(o.code) == 2;
   check_operand(o, o.a, "a", takes_floats(o.code));
   if (reads_b) check_operand(o, o.b, "b", takes_floats(o.code));
-  if (o.code == Code::NoiseFixed && o.a.bytes != 2) refuse(o, "coordinates of fixed noise have 2 bytes");
+  if (o.code == Code::NoiseFixed && (o.a.bytes != 2 || o.d.bytes != 2))
+    refuse(o, "coordinates and result have 2 bytes");
+  if (is_noise(o.code) && o.a.uniform) refuse(o, "the point is a constant");
   if (writes_d) {
     check_operand(o, o.d, "d", gives_float(o.code));
     if (o.d.uniform) refuse(o, "d is a constant");
@@ -144,6 +144,8 @@ void compute(const Operation& o, PixelRow& row) {
     case Code::FloatEqual: macro::float_compare(o, row); break;
     case Code::FixedToFloat:
     case Code::FloatToFixed: macro::convert(o, row); break;
+    case Code::NoiseFixed:
+    case Code::NoiseFloat: macro::noise(o, row); break;
     default:
       if (o.code >= Code::Sin) {
         macro::function(o, row);

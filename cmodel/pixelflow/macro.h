@@ -14,9 +14,6 @@ constexpr int kMostBinaryScale = 255;
 /// else.
 bool is_comparison(Code code);
 
-/// True where compute() knows the operation; others are executed instruction by instruction at every level.
-bool is_native(Code code);
-
 /// The operands that an operation reads (1: a alone) and whether they are floats or raw integers.
 int operand_count(Code code);
 bool takes_floats(Code code);

@@ -20,8 +20,9 @@ void float_arithmetic(const Operation& operation, PixelRow& row);
 void float_compare(const Operation& operation, PixelRow& row);
 /// Between fixed point and float, on integers.
 void convert(const Operation& operation, PixelRow& row);
-/// Functions and noise.
+/// Functions of floats; noise.
 void function(const Operation& operation, PixelRow& row);
+void noise(const Operation& operation, PixelRow& row);
 
 /// Elements that a kernel works on at a time: those of one vector of bytes.
 constexpr int kGroup = PixelRow::kGroup;

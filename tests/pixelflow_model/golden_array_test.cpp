@@ -215,6 +215,7 @@ TEST(GoldenArray, OperationsWithWrongOperandsAreRefused) {
   refused([](Operation& o) { o.code = Code::ShiftLeft, o.scale = -1; });
   refused([](Operation& o) { o.code = Code::Divide, o.scale = 13; });
   refused([](Operation& o) { o.code = Code::NoiseFloat, o.scale = 4; });
+  refused([](Operation& o) { o.code = Code::NoiseFixed, o.scale = 1; });  // of 4 bytes
   EXPECT_NO_THROW(runs(changed([](Operation& o) { o.d.address = kA; }), 8));
   EXPECT_NO_THROW(runs(changed([](Operation& o) { o.b.uniform = true, o.b.address = 255; }), 8));
 }
