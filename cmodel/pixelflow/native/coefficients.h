@@ -31,8 +31,8 @@ inline constexpr Coefficients<5> kLogarithm = {4130885346u, 154908184u, 6915750u
 inline constexpr uint64_t kTwoOverLn2 = 198282496599u;  // Q4.36
 
 // Cubics of the fast versions, which meet value and slope at both ends of the reduced range.
-// t (a - t (b + c t)): a = pi/2, b = pi - 3, c = 2 - pi/2, Q1.39; a - b - c = 1 exactly.
-inline constexpr std::array<uint64_t, 3> kFastSine = {863554413089u, 77841384515u, 235957214686u};
+// t (a - t (b + c t)) = 1 - u^2 (d - c u), u = 1 - t: a = pi/2, b = pi - 3, c = 2 - pi/2, d = 3 - pi/2. Q1.31.
+inline constexpr Coefficients<4> kFastSine = {3373259426u, 304067908u, 921707870u, 3069191518u};
 // w (a - b w + c w^2): a = pi/4, b = pi - 3, c = 3 pi/4 - 2, Q0.32; a - b + c = 1 - 2^-32.
 inline constexpr Coefficients<3> kFastTangent = {3373259426u, 608135817u, 1529843686u};
 // s (1 - b s + c s^2): b = 4 - 2 pi + 4/sqrt(3), c = 4 + 8/sqrt(3) - 8 pi/3, Q1.31.

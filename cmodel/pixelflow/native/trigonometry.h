@@ -8,7 +8,7 @@
 //   tan(pi/2 t) = t R(t^2) / (1 - t^2), R of degree 4, Q1.31, t folded to [0, 1/2]; the cotangent is the inverse
 // t is normalised to 4 bytes as a factor, t^2 comes from its top 4 bytes (Q0.32). |x| < 2^-24 returns x.
 // The fast versions have cubics instead that meet value and slope at t = 0 and 1 (tan: 0 and 1/2). The one of sin is
-// worked out in 5 bytes: where it is flat, less would not be monotone.
+// worked out from the nearer end, so that it is monotone where it is flat.
 #ifndef VSG_CMODEL_PIXELFLOW_NATIVE_TRIGONOMETRY_H_
 #define VSG_CMODEL_PIXELFLOW_NATIVE_TRIGONOMETRY_H_
 
@@ -61,15 +61,25 @@ PIXELFLOW_INLINE Normal sine_of_quarter(uint64_t t) {
   return product(static_cast<uint32_t>(factor.significand >> 32), p, factor.exponent);
 }
 
-// t (a - t (b + c t)), a = pi/2, b = pi - 3, c = 2 - pi/2, in Q1.39 and 5 bytes; a - b - c = 1 exactly.
+// The cubic that meets value and slope at t = 0 and 1, from the nearer end: y = t or 1 - t,
+//   t <= 1/2: y (a - y (b + c y))      t > 1/2: 1 - y^2 (d - c y)
+// with y as a factor normalised in both: seen from 1 the rest has few bits wrong in its own last places, so that
+// rounding keeps the order even where the cubic is flat.
 PIXELFLOW_INLINE Normal fast_sine_of_quarter(uint64_t t) {
-  const uint64_t t_high = t >> 24;  // Q0.40
-  uint64_t p = kFastSine[1] + (multiply_40(t_high, kFastSine[2]) >> 8);
-  p = kFastSine[0] - (multiply_40(t_high, p) >> 8);
-  const WideNormal factor = normalise_wide(t, -1);
-  const uint64_t exact = multiply_40(factor.significand >> 24, p);  // 6 bytes, units of 2^-46 of the factor's
-  const bool high = (exact >> 47) != 0;
-  return {static_cast<uint32_t>(high ? exact >> 16 : exact >> 15), high ? factor.exponent + 1 : factor.exponent};
+  const uint32_t fold = static_cast<uint32_t>(t >> 63);
+  const uint64_t y = select_wide(fold, ~t, t);
+  const WideNormal wide = normalise_wide(y, 0);
+  const uint32_t factor = static_cast<uint32_t>(wide.significand >> 32);  // y = factor * 2^(exponent - 32)
+  const uint32_t bent = multiply_high(static_cast<uint32_t>(y >> 32), kFastSine[2]);
+  const uint32_t slope = select(fold, kFastSine[3] - bent, kFastSine[1] + bent);
+  const uint32_t part = multiply_high(factor, slope);
+  const uint32_t p = select(fold, part, kFastSine[0] - shift_right(part, -wide.exponent));
+  const uint32_t value = multiply_high(factor, p);
+  const uint32_t below_one = kSignBit - shift_right(value, -2 * wide.exponent);  // Q1.31
+  const Normal near_zero = {value, wide.exponent};
+  const Normal near_one = {below_one, 0};
+  const Normal chosen = select(fold, near_one, near_zero);
+  return normalise(chosen.significand, chosen.exponent);
 }
 
 struct Ratio {

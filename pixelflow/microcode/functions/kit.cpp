@@ -50,11 +50,11 @@ void Kit::negate_if(int number, int n, int top) {
   if (top >= 0) a.alu(Alu::NegateIf, To::Memory, P::Zero, Q::Immediate, {.addr = top, .cin = Carry::C});
 }
 
-void Kit::add_or_subtract(int to, std::uint64_t value, int n, int number) {
+void Kit::subtract_from(int to, std::uint64_t value, int n, int number) {
   for (int i = 0; i < n; ++i) {
-    a.set_m(byte_of(value, i));
-    a.alu(Alu::AddSub, To::M, P::M, Q::Memory, {.addr = number + i, .cin = i ? Carry::C : Carry::K, .c = true});
-    a.store(P::M, to + i);
+    a.load_m(number + i);
+    a.alu(Alu::ReverseSub, To::Memory, P::M, Q::Immediate,
+          {.addr = to + i, .imm = byte_of(value, i), .cin = i ? Carry::C : Carry::One, .c = true});
   }
 }
 

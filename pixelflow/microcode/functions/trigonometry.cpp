@@ -17,9 +17,9 @@ struct Places {
   int quadrant = fraction + 8;  ///< modulo 4 in its low bits
   int m = fraction + 28;        ///< 4 bytes: the significand, shifted
   int z = fraction + 9;         ///< 4: square of t, then the divisor of the tangent
-  int p = z + 4;                ///< 4 or 5: polynomial
-  int t = p + 5;                ///< 4: value, then quotient
-  int count = t + 5;
+  int p = z + 4;                ///< 4: polynomial
+  int t = p + 4;                ///< 4: value, then quotient
+  int count = t + 4;
   int field = count + 1;
   int flags = field + 1;
   int result = m;  ///< 4
@@ -62,6 +62,14 @@ void write_reduction(Kit& k, const Places& at, int x) {
   k.multiply(at.fraction, in_memory(at.m, 4), in_memory(at.fraction, 13), 4, 9);
 }
 
+/// t := K ? 1 - t : t, as bits.
+void write_complement(Kit& k, const Places& at) {
+  for (int n = 0; n < 8; ++n) {
+    k.a.load_m(at.fraction + n);
+    k.a.alu(Alu::NegateIf, To::Memory, P::M, Q::Immediate, {.addr = at.fraction + n});
+  }
+}
+
 /// W := the normalised top of t (4 bytes at at.t) and the field of its value 2^-1 at at.field.
 void write_factor(Kit& k, const Places& at) {
   Assembler& a = k.a;
@@ -88,25 +96,41 @@ void write_sine(Kit& k, const Places& at) {
 }
 
 void write_fast_sine(Kit& k, const Places& at) {
-  using enum Kit::Finish;
   Assembler& a = k.a;
-  const auto t = in_memory(at.fraction + 3, 5);
-  k.multiply(at.p, t, constant(native::kFastSine[2], 5), 5, 5, Plus, native::kFastSine[1]);
-  k.multiply(at.p, t, in_memory(at.p, 5), 5, 5, Minus, native::kFastSine[0]);
-  write_factor(k, at);
-  k.multiply(at.t, t, in_memory(at.p, 5), 5, 5);
-  // One place at most to the left: the top 4 of 5 bytes.
-  a.flag_of_memory(Flag::K, at.t + 4, 7, true);
-  a.flag_of_memory(Flag::C, at.t, 7);
-  a.flag(Flag::C, Bit::K, false, FlagOp::And);
-  a.load_m(at.field);
-  a.alu(Alu::Add, To::X, P::M, Q::Immediate, {.imm = 1});
-  k.load(at.t + 1);
-  a.shift_left(0, When::K);
-  a.alu(Alu::Add, To::W, P::W, Q::Immediate, {.cin = Carry::C});
-  a.set_m(0);
-  a.alu(Alu::NegateIf, To::M, P::M, Q::Immediate, {});
-  a.alu(Alu::Add, To::X, P::X, Q::M, {});
+  const int fold = at.flags;
+  const auto& c = native::kFastSine;
+  k.k_from(at.fraction + 7, 7);
+  k.keep_flags(fold);
+  write_complement(k, at);
+  // p := d - c y or b + c y.
+  k.multiply(at.z, in_memory(at.fraction + 4, 4), constant(c[2], 4), 4, 4);
+  k.put(at.p, c[1], 4);
+  k.put(at.p, c[3], 4, Gate::EAndK);
+  for (int n = 0; n < 4; ++n) {
+    a.load_m(at.p + n);
+    a.alu(Alu::AddSub, To::M, P::M, Q::Memory, {.addr = at.z + n, .cin = n ? Carry::C : Carry::K, .c = true});
+    a.store(P::M, at.p + n);
+  }
+  k.normalise(at.fraction, 8, at.count);
+  const auto factor = in_memory(at.fraction + 4, 4);
+  k.multiply(at.t, factor, in_memory(at.p, 4), 4, 4);
+  k.shift_right_word(at.z, at.t, at.count);
+  k.subtract_from(at.p, c[0], 4, at.z);
+  k.k_from(fold, Kit::kKeptK);
+  k.copy(at.p, at.t, 4, Gate::EAndK);
+  k.multiply(at.t, factor, in_memory(at.p, 4), 4, 4);
+  // From the far end: 1 less that, twice as far down.
+  a.load_m(at.count);
+  a.alu(Alu::ReverseSub, To::Memory, P::M, Q::Immediate, {.addr = at.field, .imm = 127, .cin = Carry::One});
+  a.alu(Alu::ShiftLeft, To::Memory, P::Zero, Q::M, {.addr = at.count});
+  k.shift_right_word(at.z, at.t, at.count);
+  k.subtract_from(at.z, 0x80000000u, 4, at.z);
+  k.k_from(fold, Kit::kKeptK);
+  k.copy(at.t, at.z, 4, Gate::EAndK);
+  a.store_constant(127, at.field, Gate::EAndK);
+  k.load(at.t);
+  a.load_x(at.field);
+  a.normalize();
 }
 
 /// W, X := tangent of t quarters, or its inverse where bit 0 of at.flags is set. t is at most 1/2.
@@ -189,10 +213,7 @@ void write_trigonometric(Assembler& a, const Operation& o) {
   } else {
     k.k_from(at.quadrant, 0, cosine);
   }
-  for (int n = 0; n < 8; ++n) {
-    a.load_m(at.fraction + n);
-    a.alu(Alu::NegateIf, To::Memory, P::M, Q::Immediate, {.addr = at.fraction + n});
-  }
+  write_complement(k, at);
   if (is_tangent(o.code)) {
     write_tangent(k, at, is_fast(o.code));
   } else if (is_fast(o.code)) {
