@@ -1,6 +1,5 @@
 // Float microcode against MPFR: every pair of hard values, and random ones, correctly rounded, subnormals and NaN included.
 #include <gtest/gtest.h>
-#include <mpfr.h>
 
 #include <bit>
 #include <cmath>
