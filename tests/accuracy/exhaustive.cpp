@@ -8,6 +8,8 @@
 #include <chrono>
 #include <cstdio>
 #include <exception>
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
 #include <vector>
@@ -24,6 +26,7 @@ struct Options {
   uint64_t every = 1;
   uint64_t pairs = 100'000'000;
   uint64_t seed = 1;
+  std::string record;
 };
 
 bool wanted(const Options& options, std::string_view name) {
@@ -82,6 +85,21 @@ void print_fast(const std::vector<std::string>& names, const std::map<std::strin
   }
 }
 
+/// What the tables of published and measured figures show beside the cycles.
+void record(const std::string& path, const std::map<std::string, accuracy::Tally>& sums) {
+  nlohmann::ordered_json file;
+  file["source"] = "pixelflow_exhaustive --record";
+  for (const auto& [name, tally] : sums) {
+    const bool all = tally.inputs == 1ull << 32;
+    file[name] = {{"max_error_ulp", tally.max_ulp},
+                  {"inputs", all ? "all 2^32 arguments" : fmt::format("{} arguments", tally.inputs)},
+                  {"correctly_rounded", tally.equal}};
+  }
+  std::ofstream out(path);
+  out << file.dump(1) << '\n';
+  if (!out.flush()) throw std::runtime_error("cannot write " + path);
+}
+
 int run(const Options& options) {
   check_names(options);
   std::vector<std::string> exact;
@@ -104,6 +122,7 @@ int run(const Options& options) {
   if (!exact.empty()) print_exact(exact, sums);
   if (!exact.empty() && !fast.empty()) fmt::print("\n");
   if (!fast.empty()) print_fast(fast, sums);
+  if (!options.record.empty()) record(options.record, sums);
   if (pairs) fmt::print("\nRandom pairs: seed {}.\n", options.seed);
   const bool right = std::ranges::all_of(exact, [&](const std::string& f) { return sums.at(f).further == 0; }) &&
                      std::ranges::all_of(fast, [&](const std::string& f) {
@@ -127,6 +146,7 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1u, 1u << 31));
   app.add_option("--pairs", options.pairs, "random pairs for functions of two arguments");
   app.add_option("--seed", options.seed, "seed of the pairs");
+  app.add_option("--record", options.record, "file for the largest errors as JSON (tables/pixelflow_accuracy.json)");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

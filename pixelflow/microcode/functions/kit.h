@@ -37,7 +37,6 @@ class Kit {
   void add(int to, int from, int value);                              ///< to := from + value, a byte; C := carry: 2
   void add_byte(int to, int from, int other, bool subtract = false);  ///< bytes; C: 3
   void negate_if(int number, int n, int top = -1);  ///< K: two's complement; `top`: a byte of sign above
-                       int number);  ///< to := K ? value - number : value + number: 3n
                        void subtract_from(int to, std::uint64_t value, int n,
                                           int number);  ///< to := value - number: 2n
 
