@@ -1,6 +1,7 @@
 // Conversions between fixed point and float at the macro level, by integer arithmetic: one rounding, or a floor.
 #include <algorithm>
 #include <bit>
+#include <cstdlib>
 
 #include "cmodel/pixelflow/macro_kernels.h"
 
@@ -62,16 +63,44 @@ std::uint64_t to_fixed(std::uint32_t bits, const Operation& o) {
   return limited(shift >= 0 ? value << std::min(shift, 100) : value >> std::min(-shift, 127), o.d);
 }
 
+/// Results of up to seven bytes and moderate scales need no more than 64 bits; without branches the loop becomes
+/// vectors.
+constexpr int kModerateScale = 100, kShortBytes = 7;
+
+void to_short_fixed(const std::uint64_t* a, std::uint64_t* d, const Operation& o) {
+  const int bits = 8 * o.d.bytes, scale = o.scale - kBias - kFractionBits;
+  const std::int64_t most = (std::int64_t{1} << (o.d.is_signed ? bits - 1 : bits)) - 1,
+                     least = o.d.is_signed ? -most - 1 : 0;
+  const std::int64_t flush = o.flush ? -1 : 0;
+  for (int n = 0; n < kGroup; ++n) {
+    const auto magnitude = static_cast<std::int64_t>(a[n] & 0x7FFFFFFFu);
+    const std::int64_t exponent = magnitude >> kFractionBits;
+    const std::int64_t normal = exponent != 0 ? -1 : 0;
+    const std::int64_t fraction = (magnitude & 0x7FFFFF & (normal | ~flush)) | (normal & 0x800000);
+    const std::int64_t value = a[n] >> 31 & 1 ? -fraction : fraction;
+    const std::int64_t shift = std::max<std::int64_t>(exponent, 1) + scale;
+    // 39 places left make every normal number too great for seven bytes, and fit in 64 bits. Subnormal ones never go
+    // left.
+    const std::int64_t left = std::clamp<std::int64_t>(exponent == 255 ? 39 : shift, 0, 39);
+    const std::int64_t right = std::clamp<std::int64_t>(exponent == 255 ? 0 : -shift, 0, 63);
+    const std::int64_t limited = std::clamp(value << left >> right, least, most);
+    d[n] = static_cast<std::uint64_t>(magnitude > kInfinity ? 0 : limited);
+  }
+}
+
 }  // namespace
 
 void convert(const Operation& o, PixelRow& row) {
   alignas(64) std::uint64_t a[kGroup], d[kGroup];
+  const bool is_short = o.d.bytes <= kShortBytes && std::abs(o.scale) <= kModerateScale;
   each_enabled_group(row, [&](int at, bool) {
     gather(o.a, row, at, a);
-    for (int n = 0; n < kGroup; ++n) {
-      if (o.code == Code::FloatToFixed) {
-        d[n] = to_fixed(static_cast<std::uint32_t>(a[n]), o);
-      } else {
+    if (o.code == Code::FloatToFixed && is_short) {
+      to_short_fixed(a, d, o);
+    } else if (o.code == Code::FloatToFixed) {
+      for (int n = 0; n < kGroup; ++n) d[n] = to_fixed(static_cast<std::uint32_t>(a[n]), o);
+    } else {
+      for (int n = 0; n < kGroup; ++n) {
         const bool negative = o.a.is_signed && a[n] >> 63;
         d[n] = to_float(negative, negative ? std::uint64_t{0} - a[n] : a[n], o.scale, o.flush);
       }

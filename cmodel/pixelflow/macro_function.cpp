@@ -9,12 +9,27 @@
 namespace pixelflow::macro {
 namespace {
 
-/// Operands and results of the groups of elements that are enabled, one behind another.
+/// Operands and results of the enabled elements of a tile, one behind another.
 struct Batch {
-  alignas(64) WordGroup a[PixelRow::kLanes / kGroup], b[PixelRow::kLanes / kGroup], d[PixelRow::kLanes / kGroup];
+  std::uint32_t a[PixelRow::kLanes], b[PixelRow::kLanes], d[PixelRow::kLanes];
+  std::uint16_t places[PixelRow::kLanes];  ///< where the result goes among the words of all enabled groups
   std::size_t count = 0;
 
-  static std::uint32_t* words(WordGroup* first) { return reinterpret_cast<std::uint32_t*>(first); }
+  void take(const WordGroup& a_words, const WordGroup& b_words, const WordGroup& enabled, std::size_t group) {
+    for (std::size_t n = 0; n < kGroup; ++n) {
+      a[count] = a_words.part[n / 16][n % 16];
+      b[count] = b_words.part[n / 16][n % 16];
+      places[count] = static_cast<std::uint16_t>(group * kGroup + n);
+      count += enabled.part[n / 16][n % 16] & 1u;
+    }
+  }
+
+  void take_all(const WordGroup& a_words, const WordGroup& b_words, std::size_t group) {
+    std::memcpy(a + count, &a_words, sizeof a_words);
+    std::memcpy(b + count, &b_words, sizeof b_words);
+    for (std::size_t n = 0; n < kGroup; ++n) places[count + n] = static_cast<std::uint16_t>(group * kGroup + n);
+    count += kGroup;
+  }
 };
 
 bool is_binary(Code code) { return code == Code::Atan2 || code == Code::FastAtan2 || code == Code::Pow; }
@@ -24,25 +39,30 @@ bool is_binary(Code code) { return code == Code::Atan2 || code == Code::FastAtan
 void function(const Operation& o, PixelRow& row) {
   Batch batch;
   const bool binary = is_binary(o.code);
+  std::size_t groups = 0;
   with_readers(o.a, binary ? o.b : o.a, row, [&](const auto& a, const auto& b) {
-    each_enabled_group(row, [&](int at, bool) {
-      batch.a[batch.count] = a.get(at);
-      if (binary) batch.b[batch.count] = b.get(at);
-      ++batch.count;
+    each_enabled_group(row, [&](int at, bool all) {
+      if (all) return batch.take_all(a.get(at), b.get(at), groups++);
+      const vectors::Bytes e = vectors::load(row.enable() + at), rows[] = {e, e, e, e};
+      batch.take(a.get(at), b.get(at), words_of_rows(rows), groups++);
     });
   });
-  const std::size_t elements = batch.count * kGroup;
   if (binary) {
     const auto which = static_cast<std::size_t>(o.code) - static_cast<std::size_t>(Code::Atan2);
-    native::binary_functions()[which].batch(Batch::words(batch.a), Batch::words(batch.b), Batch::words(batch.d),
-                                            elements);
+    native::binary_functions()[which].batch(batch.a, batch.b, batch.d, batch.count);
   } else {
     const auto which = static_cast<std::size_t>(o.code) - static_cast<std::size_t>(Code::Sin);
-    native::unary_functions()[which].batch(Batch::words(batch.a), Batch::words(batch.d), elements);
+    native::unary_functions()[which].batch(batch.a, batch.d, batch.count);
   }
+  alignas(64) std::uint32_t results[PixelRow::kLanes] = {};
+  for (std::size_t n = 0; n < batch.count; ++n) results[batch.places[n]] = batch.d[n];
   const WordWriter writer(o.d, row);
-  std::size_t n = 0;
-  each_enabled_group(row, [&](int at, bool all) { writer.put(at, all, batch.d[n++]); });
+  groups = 0;
+  each_enabled_group(row, [&](int at, bool all) {
+    WordGroup values;
+    std::memcpy(&values, results + kGroup * groups++, sizeof values);
+    writer.put(at, all, values);
+  });
 }
 
 void noise(const Operation& o, PixelRow& row) {
