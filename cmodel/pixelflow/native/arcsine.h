@@ -87,7 +87,7 @@ PIXELFLOW_INLINE uint32_t inversesqrt(uint32_t x) {
   const uint32_t quotient = divide_fraction<32>(0x7FFFFFFFu, root.significand).quotient;
   const uint32_t rounded = round_normal(0, normalise(quotient, -1 - root.exponent));
   const uint32_t positive = x == kInfinity ? 0u : rounded;
-  const uint32_t result = (is_nan(x) | (sign_of(x) != 0)) ? kNan : positive;
+  const uint32_t result = x > kInfinity ? kNan : positive;  // negative ones and NaN
   return a == 0 ? sign_of(x) | kInfinity : result;
 }
 

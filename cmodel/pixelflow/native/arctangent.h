@@ -61,7 +61,7 @@ PIXELFLOW_INLINE uint32_t arctangent(uint32_t y, uint32_t x) {
   const bool direct = !steep & !negative;
   const uint32_t rounded = round_any(sign_of(y), select(direct, v, turned));
   const uint32_t result = (direct & zero) ? sign_of(y) : rounded;
-  return (is_nan(x) | is_nan(y)) ? kNan : result;
+  return (ay > kInfinity || ax > kInfinity) ? kNan : result;
 }
 
 PIXELFLOW_INLINE uint32_t atan2(uint32_t y, uint32_t x) { return arctangent<false>(y, x); }

@@ -13,13 +13,18 @@ namespace pixelflow::native {
 namespace {
 
 // Free of branches, so that the compiler works a whole vector of arguments at a time.
-#define PIXELFLOW_UNARY(function)                                                            \
-  void batch_##function(const uint32_t* x, uint32_t* result, std::size_t count) {            \
-    _Pragma("GCC ivdep") for (std::size_t i = 0; i < count; ++i) result[i] = function(x[i]); \
+#ifdef __clang__
+#define PIXELFLOW_VECTORS
+#else
+#define PIXELFLOW_VECTORS _Pragma("GCC ivdep")
+#endif
+#define PIXELFLOW_UNARY(function)                                                         \
+  void batch_##function(const uint32_t* x, uint32_t* result, std::size_t count) {         \
+    PIXELFLOW_VECTORS for (std::size_t i = 0; i < count; ++i) result[i] = function(x[i]); \
   }
 #define PIXELFLOW_BINARY(function)                                                                   \
   void batch_##function(const uint32_t* x, const uint32_t* y, uint32_t* result, std::size_t count) { \
-    _Pragma("GCC ivdep") for (std::size_t i = 0; i < count; ++i) result[i] = function(x[i], y[i]);   \
+    PIXELFLOW_VECTORS for (std::size_t i = 0; i < count; ++i) result[i] = function(x[i], y[i]);      \
   }
 
 PIXELFLOW_UNARY(sin)

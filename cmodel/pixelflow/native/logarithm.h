@@ -78,7 +78,7 @@ PIXELFLOW_INLINE uint32_t logarithm(uint32_t x, bool natural) {
   const uint32_t rounded = round_normal(log.negative << 31, value);
   const uint32_t finite = x == kOne ? 0u : rounded;
   const uint32_t positive = x == kInfinity ? kInfinity : finite;
-  const uint32_t result = (is_nan(x) | (sign_of(x) != 0)) ? kNan : positive;
+  const uint32_t result = x > kInfinity ? kNan : positive;  // negative ones and NaN
   return a == 0 ? kSignBit | kInfinity : result;
 }
 

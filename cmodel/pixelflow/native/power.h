@@ -46,7 +46,7 @@ PIXELFLOW_INLINE uint32_t pow(uint32_t x, uint32_t y) {
   const uint32_t limit = sign | (infinite ? kInfinity : 0u);
   const uint32_t number = extreme ? limit : value;
   const bool invalid = (sign_of(x) != 0) & (parity.integer == 0) & !extreme;
-  const uint32_t result = (invalid | is_nan(x) | is_nan(y)) ? kNan : number;
+  const uint32_t result = (invalid || ax > kInfinity || ay > kInfinity) ? kNan : number;
   return ((ay == 0) | (x == kOne)) ? kOne : result;
 }
 

@@ -37,65 +37,62 @@ class Kit {
   void add(int to, int from, int value);                              ///< to := from + value, a byte; C := carry: 2
   void add_byte(int to, int from, int other, bool subtract = false);  ///< bytes; C: 3
   void negate_if(int number, int n, int top = -1);  ///< K: two's complement; `top`: a byte of sign above
-                       void subtract_from(int to, std::uint64_t value, int n,
-                                          int number);  ///< to := value - number: 2n
+  void subtract_from(int to, std::uint64_t value, int n,
+                     int number);  ///< to := value - number: 2n
 
-                       // Flags. K keeps for later in a byte of memory.
-                       void keep_flags(int to) {
-                         a.alu(Alu::Or, To::Memory, P::Zero, Q::Flags, {.addr = to});
-                       }  ///< 0 0 0 E K S Z C
-                       static constexpr int kKeptC = 0;
-                       static constexpr int kKeptK = 3;
-                       void k_from(int address, int bit, bool invert = false, FlagOp op = FlagOp::Move) {
-                         a.flag_of_memory(Flag::K, address, bit, invert, op);
-                       }
-                       void k_if_zero(int from, int n, bool invert = false);      ///< K := number = 0: n + 1
-                       void k_if_at_least(int byte, int value);                   ///< K := byte >= value: 3
-                       void k_if_magnitude_at_least(int x, std::uint32_t value);  ///< K := |float bits| >= value: 9
-                       void k_if_number_at_least(int one, int other, int n);      ///< K := one >= other: 2n + 1
+  // Flags. K keeps for later in a byte of memory.
+  void keep_flags(int to) { a.alu(Alu::Or, To::Memory, P::Zero, Q::Flags, {.addr = to}); }  ///< 0 0 0 E K S Z C
+  static constexpr int kKeptC = 0;
+  static constexpr int kKeptK = 3;
+  void k_from(int address, int bit, bool invert = false, FlagOp op = FlagOp::Move) {
+    a.flag_of_memory(Flag::K, address, bit, invert, op);
+  }
+  void k_if_zero(int from, int n, bool invert = false);      ///< K := number = 0: n + 1
+  void k_if_at_least(int byte, int value);                   ///< K := byte >= value: 3
+  void k_if_magnitude_at_least(int x, std::uint32_t value);  ///< K := |float bits| >= value: 9
+  void k_if_number_at_least(int one, int other, int n);      ///< K := one >= other: 2n + 1
 
-                       // Products: to := value +- floor(x y / 256^drop), `keep` bytes. `to` may be y where x has at
-                       // most drop bytes.
-                       enum class Finish { None, Plus, Minus };
-                       void multiply(int to, Factor x, Factor y, int drop, int keep, Finish finish = Finish::None,
-                                     std::uint64_t value = 0);
-                       /// p := c[0] +- z (c[1] +- z (...)), 4 bytes, z in Q0.32 at `z`; signs[i] says how step i joins
-                       /// c[i], '-' or '+'.
-                       void horner(int p, int z, std::span<const std::uint32_t> c, const char* signs);
+  // Products: to := value +- floor(x y / 256^drop), `keep` bytes. `to` may be y where x has at
+  // most drop bytes.
+  enum class Finish { None, Plus, Minus };
+  void multiply(int to, Factor x, Factor y, int drop, int keep, Finish finish = Finish::None, std::uint64_t value = 0);
+  /// p := c[0] +- z (c[1] +- z (...)), 4 bytes, z in Q0.32 at `z`; signs[i] says how step i joins
+  /// c[i], '-' or '+'.
+  void horner(int p, int z, std::span<const std::uint32_t> c, const char* signs);
 
-                       // Shifts by the element's own count.
-                       void shift_right_word(int to, int from,
-                                             int count);  ///< 4 bytes by any count of a byte; zero beyond 31
-                       void shift_right_number(int number, int n, int count);  ///< n bytes by any count of a byte
-                       void shift_left_small(int number, int n);               ///< by X modulo 8
-                       /// Moves left until the top bit is set; count := places, 63 (31 for 4 bytes) where the number is
-                       /// 0.
-                       void normalise(int number, int n, int count);
-                       /// W normalised in place; X comes down by the places.
-                       void normalise_word() { a.normalize(); }
+  // Shifts by the element's own count.
+  void shift_right_word(int to, int from,
+                        int count);                       ///< 4 bytes by any count of a byte; zero beyond 31
+  void shift_right_number(int number, int n, int count);  ///< n bytes by any count of a byte
+  void shift_left_small(int number, int n);               ///< by X modulo 8
+  /// Moves left until the top bit is set; count := places, 63 (31 for 4 bytes) where the number is
+  /// 0.
+  void normalise(int number, int n, int count);
+  /// W normalised in place; X comes down by the places.
+  void normalise_word() { a.normalize(); }
 
-                       // Parts of a float32.
-                       void load_field(int x);  ///< X := exponent field: 2
-                       /// number := significand * 2^8 with bit 31 set, without regard to subnormals: 5
-                       void significand(int to, int x);
-                       /// The same of any finite float: normalised; field16 := its exponent field, 2 bytes, negative
-                       /// below the normal ones.
-                       void split(int to, int field16, int x);
+  // Parts of a float32.
+  void load_field(int x);  ///< X := exponent field: 2
+  /// number := significand * 2^8 with bit 31 set, without regard to subnormals: 5
+  void significand(int to, int x);
+  /// The same of any finite float: normalised; field16 := its exponent field, 2 bytes, negative
+  /// below the normal ones.
+  void split(int to, int field16, int x);
 
-                       /// quotient := floor(W 256^bytes / divisor), W < divisor, bytes of quotient from high to low; W
-                       /// and K go on.
-                       void divide_start() { a.flag(Flag::K, Bit::One); }
-                       void divide_byte(int quotient, int divisor);  ///< 43
+  /// quotient := floor(W 256^bytes / divisor), W < divisor, bytes of quotient from high to low; W
+  /// and K go on.
+  void divide_start() { a.flag(Flag::K, Bit::One); }
+  void divide_byte(int quotient, int divisor);  ///< 43
 
-                       /// result := W rounded to nearest even, exponent field X, sign S: 13. A carry into the exponent
-                       /// is taken along.
-                       void round_normal(int result);
-                       /// The same of 4 bytes with bit 31 set and a field of 2 bytes: subnormals, zero and infinity
-                       /// too. The sign is bit 7 of a byte. `count` is workspace.
-                       void round_any(int result, int number, int field16, int count, int sign);
+  /// result := W rounded to nearest even, exponent field X, sign S: 13. A carry into the exponent
+  /// is taken along.
+  void round_normal(int result);
+  /// The same of 4 bytes with bit 31 set and a field of 2 bytes: subnormals, zero and infinity
+  /// too. The sign is bit 7 of a byte. `count` is workspace.
+  void round_any(int result, int number, int field16, int count, int sign);
 
-                      private:
-                       void pack(int result);
+ private:
+  void pack(int result);
 };
 
 }  // namespace pixelflow::functions
