@@ -143,13 +143,15 @@ void compute(const Operation& o, PixelRow& row) {
     case Code::FloatLessEqual:
     case Code::FloatEqual: macro::float_compare(o, row); break;
     case Code::FixedToFloat:
+      if (!macro::words(o, row)) macro::convert(o, row);
+      break;
     case Code::FloatToFixed: macro::convert(o, row); break;
     case Code::NoiseFixed:
     case Code::NoiseFloat: macro::noise(o, row); break;
     default:
       if (o.code >= Code::Sin) {
         macro::function(o, row);
-      } else {
+      } else if (!macro::words(o, row)) {
         macro::fixed(o, row);
       }
   }

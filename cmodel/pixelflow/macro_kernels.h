@@ -13,6 +13,9 @@ namespace pixelflow::macro {
 /// Byte by byte, as the microcode does: Copy, Add, Sub; Less, LessEqual, Equal.
 void add(const Operation& operation, PixelRow& row);
 void compare(const Operation& operation, PixelRow& row);
+/// On vectors of 32-bit integers, where that is enough and there is a kernel: otherwise nothing is done and false
+/// returned.
+bool words(const Operation& operation, PixelRow& row);
 /// On integers of 64 and 128 bits: Multiply to Saturate.
 void fixed(const Operation& operation, PixelRow& row);
 /// In the host's floats.
