@@ -59,6 +59,10 @@ accuracy::Progress progress_bar() {
   };
 }
 
+bool is_pair(std::string_view name) {
+  return std::ranges::any_of(pixelflow::native::binary_functions(), [&](const auto& function) { return function.name == name; });
+}
+
 void print_exact(const std::vector<std::string>& names, const std::map<std::string, accuracy::Tally>& sums) {
   fmt::print(
       "| function | inputs | correctly rounded | 1 ulp off | more | special values wrong | largest error, ulp | at "
@@ -66,10 +70,8 @@ void print_exact(const std::vector<std::string>& names, const std::map<std::stri
   fmt::print("|---|---:|---:|---:|---:|---:|---:|---|\n");
   for (const std::string& name : names) {
     const accuracy::Tally& t = sums.at(name);
-    const bool pair = std::ranges::any_of(pixelflow::native::binary_functions(),
-                                          [&](const auto& function) { return function.name == name; });
     fmt::print("| {} | {} | {} | {} | {} | {} | {:.4f} | {:08X}{} |\n", name, t.inputs, t.equal, t.one_off, t.further,
-               t.special, t.max_ulp, t.worst_x, pair ? fmt::format(", {:08X}", t.worst_y) : "");
+               t.special, t.max_ulp, t.worst_x, is_pair(name) ? fmt::format(", {:08X}", t.worst_y) : "");
   }
 }
 
@@ -92,7 +94,7 @@ void record(const std::string& path, const std::map<std::string, accuracy::Tally
   for (const auto& [name, tally] : sums) {
     const bool all = tally.inputs == 1ull << 32;
     file[name] = {{"max_error_ulp", tally.max_ulp},
-                  {"inputs", all ? "all 2^32 arguments" : fmt::format("{} arguments", tally.inputs)},
+                  {"inputs", all ? "all 2^32 arguments" : fmt::format("{} {}", tally.inputs, is_pair(name) ? "pairs" : "arguments")},
                   {"correctly_rounded", tally.equal}};
   }
   std::ofstream out(path);
