@@ -40,7 +40,8 @@ class Meter {
  public:
   explicit Meter(pixelflow::PixelArray& array) : array_(array) {
     pixelflow::Program enable;
-    pixelflow::append_instructions(enable, [](pixelflow::Assembler& a) { a.flag(pixelflow::Flag::E, pixelflow::Bit::One); });
+    pixelflow::append_instructions(enable,
+                                   [](pixelflow::Assembler& a) { a.flag(pixelflow::Flag::E, pixelflow::Bit::One); });
     array_.run(enable);
   }
 
@@ -74,7 +75,8 @@ class Meter {
   void put(int address, int bytes, const std::vector<std::uint64_t>& values) {
     row_.resize(values.size());
     for (int n = 0; n < bytes; ++n) {
-      for (std::size_t lane = 0; lane < values.size(); ++lane) row_[lane] = static_cast<std::uint8_t>(values[lane] >> (8 * n));
+      for (std::size_t lane = 0; lane < values.size(); ++lane)
+        row_[lane] = static_cast<std::uint8_t>(values[lane] >> (8 * n));
       array_.write(address + n, row_);
     }
   }
@@ -83,7 +85,8 @@ class Meter {
     std::fill(values.begin(), values.end(), 0);
     for (int n = 0; n < bytes; ++n) {
       array_.read(address + n, row_);
-      for (std::size_t lane = 0; lane < values.size(); ++lane) values[lane] |= static_cast<std::uint64_t>(row_[lane]) << (8 * n);
+      for (std::size_t lane = 0; lane < values.size(); ++lane)
+        values[lane] |= static_cast<std::uint64_t>(row_[lane]) << (8 * n);
     }
   }
 
@@ -219,8 +222,10 @@ void add_float(Table& table, Meter& meter, const nlohmann::json& file) {
   row("sqrt_flush", flushing(Code::FloatSquareRoot), {}, "subnormal numbers as zeros");
   const char* notes[] = {"one dimension", "two dimensions", "three dimensions"};
   for (int dimensions = 1; dimensions <= 3; ++dimensions) {
-    row(dimensions == 1 ? "noise" : dimensions == 2 ? "noise_2d" : "noise_3d", operation(Code::NoiseFloat, 4, dimensions), {},
-        notes[dimensions - 1]);
+    row(dimensions == 1   ? "noise"
+        : dimensions == 2 ? "noise_2d"
+                          : "noise_3d",
+        operation(Code::NoiseFloat, 4, dimensions), {}, notes[dimensions - 1]);
   }
   // Conversions of 32-bit fixed point with 16 fraction bits.
   Operation to_float = operation(Code::FixedToFloat, 4, 16), to_fixed = operation(Code::FloatToFixed, 4, 16);
@@ -295,16 +300,17 @@ Table pixelflow3(pixelflow::PixelArray& array, const std::filesystem::path& tabl
 
 std::string pixelflow_text(const Table& table) {
   std::string text = table.source + "\n\n";
-  text += fmt::format("{:16}{:9}{:>10}{:>10}{:>7}{:>12}{:>11}  {}\n", "name", "column", "published", "measured", "ratio", "error, ulp",
-                      "workspace", "");
+  text += fmt::format("{:16}{:9}{:>10}{:>10}{:>7}{:>12}{:>11}  {}\n", "name", "column", "published", "measured",
+                      "ratio", "error, ulp", "workspace", "");
   for (const Cell& cell : table.cells) {
     const auto ratio = cell.ratio();
-    const std::string error = !cell.max_error_ulp                 ? "-"
+    const std::string error = !cell.max_error_ulp          ? "-"
                               : *cell.max_error_ulp < 1000 ? fmt::format("{:.4g}", *cell.max_error_ulp)
-                                                                  : fmt::format("{:.2e}", *cell.max_error_ulp);
-    text += fmt::format("{:16}{:9}{:>10}{:>10}{:>7}{:>12}{:>11}  {}\n", cell.name, cell.column, number_text(cell.published),
-                        number_text(cell.measured), ratio ? fmt::format("{:.2f}", *ratio) : "-", error,
-                        cell.workspace_bytes ? std::to_string(*cell.workspace_bytes) : "-", cell.note);
+                                                           : fmt::format("{:.2e}", *cell.max_error_ulp);
+    text +=
+        fmt::format("{:16}{:9}{:>10}{:>10}{:>7}{:>12}{:>11}  {}\n", cell.name, cell.column, number_text(cell.published),
+                    number_text(cell.measured), ratio ? fmt::format("{:.2f}", *ratio) : "-", error,
+                    cell.workspace_bytes ? std::to_string(*cell.workspace_bytes) : "-", cell.note);
   }
   return text;
 }

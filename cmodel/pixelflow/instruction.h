@@ -11,7 +11,19 @@ namespace pixelflow {
 enum class Kind : std::uint8_t { Alu, Wide, Flag, Control };
 
 enum class Alu : std::uint8_t {
-  Add, Sub, ReverseSub, AddSub, AddIf, NegateIf, And, Or, Xor, AndNot, Select, ShiftLeft, ShiftRight
+  Add,
+  Sub,
+  ReverseSub,
+  AddSub,
+  AddIf,
+  NegateIf,
+  And,
+  Or,
+  Xor,
+  AndNot,
+  Select,
+  ShiftLeft,
+  ShiftRight
 };
 enum class Wide : std::uint8_t { Clear, Multiply, ShiftRight, ShiftLeft, Divide };
 enum class Bit : std::uint8_t { One, C, Z, S, K, E, OfP, OfQ, WideZero };
@@ -32,23 +44,23 @@ enum class ZMode : std::uint8_t { Keep, Set, And };
 constexpr int kPortX = 0x80;
 constexpr int kPortY = 0x81;
 
-/// One instruction; every element of the array executes it. The fields that a kind does not use are zero, and fields are
-/// held as numbers because several have a second name in another kind.
+/// One instruction; every element of the array executes it. The fields that a kind does not use are zero, and fields
+/// are held as numbers because several have a second name in another kind.
 struct Instruction {
   Kind kind = Kind::Alu;
-  std::uint8_t fn = 0;     ///< Alu, Wide, Bit or Control, by `kind`
-  std::uint8_t p = 0;      ///< P; When in a shift
-  std::uint8_t q = 0;      ///< Q
-  std::uint8_t cin = 0;    ///< Carry; Fill in a shift; FlagOp in a flag instruction
-  std::uint8_t dest = 0;   ///< To; Flag in a flag instruction
-  std::uint8_t gate = 0;   ///< Gate
-  bool set_c = false;      ///< C := carry out; multiplier is signed; divide: take the quotient bit; flag: invert
-  std::uint8_t z = 0;      ///< ZMode
-  bool set_s = false;      ///< S := sign; multiplicand is signed; divide: shift the next bit in
-  std::uint8_t at = 0;     ///< byte of W; log2 of a shift's distance; divide: bytes of the divisor - 1
-  bool down = false;       ///< W := W >> 8, arithmetically, once R is taken
-  std::uint8_t addr = 0;   ///< memory address; byte of the outbound packet
-  std::uint8_t imm = 0;    ///< immediate byte; number of a bit; port
+  std::uint8_t fn = 0;    ///< Alu, Wide, Bit or Control, by `kind`
+  std::uint8_t p = 0;     ///< P; When in a shift
+  std::uint8_t q = 0;     ///< Q
+  std::uint8_t cin = 0;   ///< Carry; Fill in a shift; FlagOp in a flag instruction
+  std::uint8_t dest = 0;  ///< To; Flag in a flag instruction
+  std::uint8_t gate = 0;  ///< Gate
+  bool set_c = false;     ///< C := carry out; multiplier is signed; divide: take the quotient bit; flag: invert
+  std::uint8_t z = 0;     ///< ZMode
+  bool set_s = false;     ///< S := sign; multiplicand is signed; divide: shift the next bit in
+  std::uint8_t at = 0;    ///< byte of W; log2 of a shift's distance; divide: bytes of the divisor - 1
+  bool down = false;      ///< W := W >> 8, arithmetically, once R is taken
+  std::uint8_t addr = 0;  ///< memory address; byte of the outbound packet
+  std::uint8_t imm = 0;   ///< immediate byte; number of a bit; port
 
   friend bool operator==(const Instruction&, const Instruction&) = default;
 };

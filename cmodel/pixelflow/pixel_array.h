@@ -11,14 +11,16 @@
 
 namespace pixelflow {
 
-/// rtl: the verilated chips. model: every instruction, on vectors. macro: every operation natively, its cycles still charged.
+/// rtl: the verilated chips. model: every instruction, on vectors. macro: every operation natively, its cycles still
+/// charged.
 enum class Level { Rtl, Model, Macro };
 
 struct ArrayCounters {
-  std::uint64_t cycles = 0;                ///< executed by the array, stalls apart
+  std::uint64_t cycles = 0;  ///< executed by the array, stalls apart
   std::uint64_t instructions = 0;
-  std::uint64_t element_cycles = 0;        ///< cycles times the elements of the array, simulated or left out
-  std::uint64_t simulated_element_cycles = 0;  ///< of these, really simulated: the rest had nothing enabled or nothing covering
+  std::uint64_t element_cycles = 0;  ///< cycles times the elements of the array, simulated or left out
+  std::uint64_t simulated_element_cycles =
+      0;  ///< of these, really simulated: the rest had nothing enabled or nothing covering
 
   friend bool operator==(const ArrayCounters&, const ArrayCounters&) = default;
 };
@@ -28,7 +30,8 @@ class PixelArray {
   virtual ~PixelArray() = default;
 
   virtual int lanes() const = 0;
-  /// One byte of memory of every element: `bytes` holds lanes() of them. Throws std::invalid_argument for a wrong size or address.
+  /// One byte of memory of every element: `bytes` holds lanes() of them. Throws std::invalid_argument for a wrong size
+  /// or address.
   virtual void write(int address, std::span<const std::uint8_t> bytes) = 0;
   virtual void read(int address, std::span<std::uint8_t> bytes) const = 0;
   /// Column and row of every element; at first its place in the region, counted row by row.

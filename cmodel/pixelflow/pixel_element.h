@@ -1,5 +1,5 @@
-// One processing element of the array, golden model: the registers and what one instruction does to them. The scalar form,
-// written to be read; pixel_row.h runs many elements at once. Mirrors rtl/pixelflow/pixel_element.sv.
+// One processing element of the array, golden model: the registers and what one instruction does to them. The scalar
+// form, written to be read; pixel_row.h runs many elements at once. Mirrors rtl/pixelflow/pixel_element.sv.
 #pragma once
 
 #include <array>
@@ -11,14 +11,14 @@ namespace pixelflow {
 
 /// An element's registers (pixelflow_pkg::registers_t).
 struct Registers {
-  bool e = false;         ///< enable: gates memory and port writes, nothing else
-  bool k = false;         ///< condition
-  bool s = false;         ///< sign
-  bool z = false;         ///< zero
-  bool c = false;         ///< carry
-  std::uint8_t m = 0;     ///< latch
-  std::uint8_t x = 0;     ///< multiplier, exponent, shift count, quotient
-  std::uint32_t w = 0;    ///< accumulator
+  bool e = false;       ///< enable: gates memory and port writes, nothing else
+  bool k = false;       ///< condition
+  bool s = false;       ///< sign
+  bool z = false;       ///< zero
+  bool c = false;       ///< carry
+  std::uint8_t m = 0;   ///< latch
+  std::uint8_t x = 0;   ///< multiplier, exponent, shift count, quotient
+  std::uint32_t w = 0;  ///< accumulator
 
   friend bool operator==(const Registers&, const Registers&) = default;
 };
@@ -32,8 +32,8 @@ class PixelElement {
   std::uint8_t x_position = 0;                        ///< column of the region
   std::uint8_t y_position = 0;                        ///< row of the region
 
-  /// Executes one instruction; a control instruction does nothing here. Addresses beyond the memory read zero and are not
-  /// written.
+  /// Executes one instruction; a control instruction does nothing here. Addresses beyond the memory read zero and are
+  /// not written.
   void step(const Instruction& instruction);
 
  private:

@@ -10,13 +10,13 @@
 
 namespace pixelflow {
 
-/// A run of instructions. With an operation the macro level computes that instead; both leave the same bytes in memory, the
-/// workspace apart, the same E, and the K of a comparison. The other registers are unspecified after an operation.
+/// A run of instructions. With an operation the macro level computes that instead; both leave the same bytes in memory,
+/// the workspace apart, the same E, and the K of a comparison. The other registers are unspecified after an operation.
 struct Step {
   std::optional<Operation> operation;
-  std::uint32_t first = 0;            ///< first instruction of the run
+  std::uint32_t first = 0;  ///< first instruction of the run
   std::uint32_t count = 0;
-  std::uint8_t workspace_bytes = 0;   ///< from operation->work on
+  std::uint8_t workspace_bytes = 0;  ///< from operation->work on
 };
 
 struct Program {

@@ -37,13 +37,20 @@ void Assembler::wide(Wide fn, const Instruction& rest) {
 }
 
 void Assembler::multiply(int address, bool signed_x, bool signed_memory) {
-  wide(Wide::Multiply, {.p = number(P::X), .q = number(Q::Memory), .set_c = signed_x, .set_s = signed_memory,
+  wide(Wide::Multiply, {.p = number(P::X),
+                        .q = number(Q::Memory),
+                        .set_c = signed_x,
+                        .set_s = signed_memory,
                         .addr = static_cast<std::uint8_t>(address)});
 }
 
 void Assembler::multiply_constant(int factor, int address, bool signed_factor, bool signed_memory) {
-  wide(Wide::Multiply, {.p = number(P::Immediate), .q = number(Q::Memory), .set_c = signed_factor, .set_s = signed_memory,
-                        .addr = static_cast<std::uint8_t>(address), .imm = static_cast<std::uint8_t>(factor)});
+  wide(Wide::Multiply, {.p = number(P::Immediate),
+                        .q = number(Q::Memory),
+                        .set_c = signed_factor,
+                        .set_s = signed_memory,
+                        .addr = static_cast<std::uint8_t>(address),
+                        .imm = static_cast<std::uint8_t>(factor)});
 }
 
 void Assembler::multiply_m(bool signed_x, bool signed_m) {
@@ -51,18 +58,23 @@ void Assembler::multiply_m(bool signed_x, bool signed_m) {
 }
 
 void Assembler::multiply_immediate(int value, bool signed_x, bool signed_value) {
-  wide(Wide::Multiply, {.p = number(P::X), .q = number(Q::Immediate), .set_c = signed_x, .set_s = signed_value,
+  wide(Wide::Multiply, {.p = number(P::X),
+                        .q = number(Q::Immediate),
+                        .set_c = signed_x,
+                        .set_s = signed_value,
                         .imm = static_cast<std::uint8_t>(value)});
 }
 
 void Assembler::shift_right(int log_distance, Fill fill, When when, int x_bit) {
-  wide(Wide::ShiftRight, {.p = number(when), .cin = number(fill), .at = static_cast<std::uint8_t>(log_distance),
+  wide(Wide::ShiftRight, {.p = number(when),
+                          .cin = number(fill),
+                          .at = static_cast<std::uint8_t>(log_distance),
                           .imm = static_cast<std::uint8_t>(x_bit)});
 }
 
 void Assembler::shift_left(int log_distance, When when, int x_bit) {
-  wide(Wide::ShiftLeft, {.p = number(when), .at = static_cast<std::uint8_t>(log_distance),
-                         .imm = static_cast<std::uint8_t>(x_bit)});
+  wide(Wide::ShiftLeft,
+       {.p = number(when), .at = static_cast<std::uint8_t>(log_distance), .imm = static_cast<std::uint8_t>(x_bit)});
 }
 
 void Assembler::divide(bool take_quotient, bool shift_in, int bytes) {
@@ -74,13 +86,25 @@ void Assembler::flag(Flag to, Bit source, bool invert, FlagOp op) {
 }
 
 void Assembler::flag_of(Flag to, P p, int bit, bool invert, FlagOp op, int at) {
-  stream_.push_back({.kind = Kind::Flag, .fn = number(Bit::OfP), .p = number(p), .cin = number(op), .dest = number(to),
-                     .set_c = invert, .at = static_cast<std::uint8_t>(at), .imm = static_cast<std::uint8_t>(bit)});
+  stream_.push_back({.kind = Kind::Flag,
+                     .fn = number(Bit::OfP),
+                     .p = number(p),
+                     .cin = number(op),
+                     .dest = number(to),
+                     .set_c = invert,
+                     .at = static_cast<std::uint8_t>(at),
+                     .imm = static_cast<std::uint8_t>(bit)});
 }
 
 void Assembler::flag_of_memory(Flag to, int address, int bit, bool invert, FlagOp op) {
-  stream_.push_back({.kind = Kind::Flag, .fn = number(Bit::OfQ), .q = number(Q::Memory), .cin = number(op), .dest = number(to),
-                     .set_c = invert, .addr = static_cast<std::uint8_t>(address), .imm = static_cast<std::uint8_t>(bit)});
+  stream_.push_back({.kind = Kind::Flag,
+                     .fn = number(Bit::OfQ),
+                     .q = number(Q::Memory),
+                     .cin = number(op),
+                     .dest = number(to),
+                     .set_c = invert,
+                     .addr = static_cast<std::uint8_t>(address),
+                     .imm = static_cast<std::uint8_t>(bit)});
 }
 
 void Assembler::control(Control what) { stream_.push_back({.kind = Kind::Control, .fn = number(what)}); }

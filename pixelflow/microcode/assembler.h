@@ -16,9 +16,9 @@ struct AluExtras {
   int imm = 0;
   int at = 0;
   Carry cin = Carry::Zero;
-  bool c = false;             ///< set C
+  bool c = false;  ///< set C
   ZMode z = ZMode::Keep;
-  bool s = false;             ///< set S
+  bool s = false;  ///< set S
   Gate gate = Gate::E;
   bool down = false;
 };
@@ -36,7 +36,9 @@ class Assembler {
   void set_m(int value) { alu(Alu::Or, To::M, P::Zero, Q::Immediate, {.imm = value}); }
   void set_x(int value) { alu(Alu::Or, To::X, P::Zero, Q::Immediate, {.imm = value}); }
   void set_w(int value, int at) { alu(Alu::Or, To::W, P::Zero, Q::Immediate, {.imm = value, .at = at}); }
-  void store(P from, int address, Gate gate = Gate::E) { alu(Alu::Or, To::Memory, from, Q::Immediate, {.addr = address, .gate = gate}); }
+  void store(P from, int address, Gate gate = Gate::E) {
+    alu(Alu::Or, To::Memory, from, Q::Immediate, {.addr = address, .gate = gate});
+  }
   void store_w(int address, int at) { alu(Alu::Or, To::Memory, P::W, Q::Immediate, {.addr = address, .at = at}); }
   void store_constant(int value, int address, Gate gate = Gate::E) {
     alu(Alu::Or, To::Memory, P::Zero, Q::Immediate, {.addr = address, .imm = value, .gate = gate});
@@ -50,7 +52,7 @@ class Assembler {
   /// W := W + X * memory[address], and with a uniform factor in X's place.
   void multiply(int address, bool signed_x = false, bool signed_memory = false);
   void multiply_constant(int factor, int address, bool signed_factor = false, bool signed_memory = false);
-  void multiply_m(bool signed_x = false, bool signed_m = false);               ///< W := W + X * M
+  void multiply_m(bool signed_x = false, bool signed_m = false);                         ///< W := W + X * M
   void multiply_immediate(int value, bool signed_x = false, bool signed_value = false);  ///< W := W + X * value
   void shift_right(int log_distance, Fill fill = Fill::Zero, When when = When::Always, int x_bit = 0);
   void shift_left(int log_distance, When when = When::Always, int x_bit = 0);

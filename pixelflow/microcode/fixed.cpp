@@ -131,7 +131,8 @@ void write_compare(Assembler& a, const Operation& o) {
     const ZMode z = n ? ZMode::And : ZMode::Set;
     const bool direct_b = !o.b.uniform && n < o.b.bytes;
     if (o.a.uniform && direct_b) {
-      a.alu(Alu::Xor, To::None, P::Immediate, Q::Memory, {.addr = o.b.address + n, .imm = constant_byte(o.a, n), .z = z});
+      a.alu(Alu::Xor, To::None, P::Immediate, Q::Memory,
+            {.addr = o.b.address + n, .imm = constant_byte(o.a, n), .z = z});
       continue;
     }
     load_byte(a, o.a, n);
@@ -188,7 +189,8 @@ void write_shift_right(Assembler& a, const Operation& o) {
   // To the left by the rest of a byte, one byte lower.
   a.clear_w();
   const auto take = [&](int from) {
-    if (from < o.a.bytes) a.multiply_constant(1 << (8 - rest), o.a.address + from, false, o.a.is_signed && from == o.a.bytes - 1);
+    if (from < o.a.bytes)
+      a.multiply_constant(1 << (8 - rest), o.a.address + from, false, o.a.is_signed && from == o.a.bytes - 1);
   };
   take(whole);
   a.down();
@@ -240,7 +242,8 @@ void write_saturate(Assembler& a, const Operation& o) {
   if (!can_be_below) {
     write_copy(a, o);
     // The copy of an unsigned number uses neither K nor S.
-    for (int n = 0; n < o.d.bytes; ++n) a.store_constant(static_cast<int>(most >> (8 * n) & 0xFF), o.d.address + n, Gate::EAndK);
+    for (int n = 0; n < o.d.bytes; ++n)
+      a.store_constant(static_cast<int>(most >> (8 * n) & 0xFF), o.d.address + n, Gate::EAndK);
     return;
   }
   // A signed number: keep "above" in Z over the copy, whose fill uses K, then ask for "below" through the sign.
@@ -251,9 +254,11 @@ void write_saturate(Assembler& a, const Operation& o) {
   a.flag(Flag::C, Bit::K);
   write_copy(a, o);
   a.flag(Flag::K, Bit::Z);
-  for (int n = 0; n < o.d.bytes; ++n) a.store_constant(static_cast<int>(most >> (8 * n) & 0xFF), o.d.address + n, Gate::EAndK);
+  for (int n = 0; n < o.d.bytes; ++n)
+    a.store_constant(static_cast<int>(most >> (8 * n) & 0xFF), o.d.address + n, Gate::EAndK);
   a.flag(Flag::K, Bit::C);
-  for (int n = 0; n < o.d.bytes; ++n) a.store_constant(static_cast<int>(least >> (8 * n) & 0xFF), o.d.address + n, Gate::EAndK);
+  for (int n = 0; n < o.d.bytes; ++n)
+    a.store_constant(static_cast<int>(least >> (8 * n) & 0xFF), o.d.address + n, Gate::EAndK);
 }
 
 }  // namespace pixelflow

@@ -1,5 +1,5 @@
-// Quotient and remainder of fixed-point numbers: non-restoring, a bit at a time. The remainder's low four bytes lie in W, what
-// is above them in the workspace; X holds the dividend's byte and takes the quotient's.
+// Quotient and remainder of fixed-point numbers: non-restoring, a bit at a time. The remainder's low four bytes lie in
+// W, what is above them in the workspace; X holds the dividend's byte and takes the quotient's.
 #include <algorithm>
 #include <utility>
 
@@ -12,13 +12,13 @@ constexpr int kWide = 4;  // bytes of W
 
 /// Where the parts of a division lie in the workspace.
 struct Layout {
-  bool divides = false;     ///< quotient, not remainder
-  bool is_signed = false;   ///< operands are made positive first
-  int a = 0, b = 0;         ///< operands as the loop reads them
+  bool divides = false;    ///< quotient, not remainder
+  bool is_signed = false;  ///< operands are made positive first
+  int a = 0, b = 0;        ///< operands as the loop reads them
   bool uniform_b = false;
-  int quotient = 0;         ///< where the loop puts the quotient
-  int high = 0;             ///< remainder above W
-  int signs = 0;            ///< bit 0: sign of a, bit 1: sign of b, bit 2: b = 0
+  int quotient = 0;  ///< where the loop puts the quotient
+  int high = 0;      ///< remainder above W
+  int signs = 0;     ///< bit 0: sign of a, bit 1: sign of b, bit 2: b = 0
   int end = 0;
 };
 
@@ -80,7 +80,8 @@ struct Divisor {
     for (int n = 0; n < high(); ++n) {
       a.load_m(above + n);
       if (uniform) {
-        a.alu(fn, To::M, P::M, Q::Immediate, {.imm = static_cast<int>(constant >> (8 * (n + kWide)) & 0xFF), .cin = Carry::C, .c = true});
+        a.alu(fn, To::M, P::M, Q::Immediate,
+              {.imm = static_cast<int>(constant >> (8 * (n + kWide)) & 0xFF), .cin = Carry::C, .c = true});
       } else {
         a.alu(fn, To::M, P::M, Q::Memory, {.addr = address + kWide + n, .cin = Carry::C, .c = true});
       }
@@ -173,8 +174,10 @@ void write_divide(Assembler& a, const Operation& o) {
     b.change_all(a, Alu::AddIf, Carry::Zero, l.high);
   }
   const auto zero_remainder = [&](Flag to, bool invert) {
-    for (int n = 0; n < b.high(); ++n) a.alu(Alu::Or, To::None, P::Zero, Q::Memory, {.addr = l.high + n, .z = n ? ZMode::And : ZMode::Set});
-    for (int n = 0; n < b.low(); ++n) a.alu(Alu::Or, To::None, P::W, Q::Immediate, {.at = n, .z = n || b.high() ? ZMode::And : ZMode::Set});
+    for (int n = 0; n < b.high(); ++n)
+      a.alu(Alu::Or, To::None, P::Zero, Q::Memory, {.addr = l.high + n, .z = n ? ZMode::And : ZMode::Set});
+    for (int n = 0; n < b.low(); ++n)
+      a.alu(Alu::Or, To::None, P::W, Q::Immediate, {.at = n, .z = n || b.high() ? ZMode::And : ZMode::Set});
     a.flag(to, Bit::Z, invert);
   };
   const auto sign_bit = [&](Flag to, int bit, FlagOp op) { a.flag_of_memory(to, l.signs, bit, false, op); };
@@ -191,7 +194,8 @@ void write_divide(Assembler& a, const Operation& o) {
       negate_if(a, l.quotient, o.d.bytes, Carry::C);
     }
   } else {
-    // The remainder has b's sign: with r >= 0 of the magnitudes, a < 0 turns it to |b| - r where r != 0, and b < 0 negates.
+    // The remainder has b's sign: with r >= 0 of the magnitudes, a < 0 turns it to |b| - r where r != 0, and b < 0
+    // negates.
     if (l.is_signed) {
       zero_remainder(Flag::S, true);  // S: r != 0
       a.flag(Flag::K, Bit::One, true);
@@ -210,7 +214,8 @@ void write_divide(Assembler& a, const Operation& o) {
   // Division by zero gives zero: S := (b = 0), before d is written over b.
   bool by_zero = false;
   const auto divisor_is_zero = [&](Flag to) {
-    for (int n = 0; n < o.b.bytes; ++n) a.alu(Alu::Or, To::None, P::Zero, Q::Memory, {.addr = l.b + n, .z = n ? ZMode::And : ZMode::Set});
+    for (int n = 0; n < o.b.bytes; ++n)
+      a.alu(Alu::Or, To::None, P::Zero, Q::Memory, {.addr = l.b + n, .z = n ? ZMode::And : ZMode::Set});
     a.flag(to, Bit::Z);
   };
   if (!o.b.uniform) {
@@ -229,10 +234,12 @@ void write_divide(Assembler& a, const Operation& o) {
       if (n < b.low()) {
         AluExtras w = e;
         w.at = n;
-        a.alu(negates ? Alu::NegateIf : Alu::Or, To::Memory, P::W, Q::Immediate, negates ? w : AluExtras{.addr = e.addr, .at = n});
+        a.alu(negates ? Alu::NegateIf : Alu::Or, To::Memory, P::W, Q::Immediate,
+              negates ? w : AluExtras{.addr = e.addr, .at = n});
       } else if (n < o.b.bytes) {
         a.load_m(l.high + n - kWide);
-        a.alu(negates ? Alu::NegateIf : Alu::Or, To::Memory, P::M, Q::Immediate, negates ? e : AluExtras{.addr = e.addr});
+        a.alu(negates ? Alu::NegateIf : Alu::Or, To::Memory, P::M, Q::Immediate,
+              negates ? e : AluExtras{.addr = e.addr});
       } else if (fills) {
         a.alu(Alu::NegateIf, To::Memory, P::Zero, Q::Immediate, e);
       } else {

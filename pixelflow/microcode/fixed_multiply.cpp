@@ -1,5 +1,5 @@
-// Multiplication of fixed-point numbers, column by column: all byte products of a column go into W, whose low byte is then
-// the product's next byte.
+// Multiplication of fixed-point numbers, column by column: all byte products of a column go into W, whose low byte is
+// then the product's next byte.
 #include <algorithm>
 #include <utility>
 

@@ -34,7 +34,9 @@ void hidden_bit_into_m(Assembler& a) {
 
 }  // namespace
 
-int float_add_workspace(const Operation& o) { return o.a.uniform || o.b.uniform ? AddPlaces::kBytes : AddPlaces::kBytes - 4; }
+int float_add_workspace(const Operation& o) {
+  return o.a.uniform || o.b.uniform ? AddPlaces::kBytes : AddPlaces::kBytes - 4;
+}
 int float_workspace(const Operation&) { return FloatParts::kBytes; }
 
 void write_float_add(Assembler& a, const Operation& o) {
@@ -148,7 +150,8 @@ namespace {
 /// X:M := sum or difference of the operands' exponents, plus a constant.
 void combine_exponents(Assembler& a, const FloatParts& parts, Alu fn, int offset) {
   a.load_m(parts.first().exponent);
-  a.alu(fn, To::M, P::M, Q::Memory, {.addr = parts.second().exponent, .cin = fn == Alu::Sub ? Carry::One : Carry::Zero, .c = true});
+  a.alu(fn, To::M, P::M, Q::Memory,
+        {.addr = parts.second().exponent, .cin = fn == Alu::Sub ? Carry::One : Carry::Zero, .c = true});
   a.load_x(parts.first().exponent + 1);
   a.alu(fn, To::X, P::X, Q::Memory, {.addr = parts.second().exponent + 1, .cin = Carry::C});
   a.alu(Alu::Add, To::M, P::M, Q::Immediate, {.imm = offset & 0xFF, .c = true});
@@ -215,7 +218,7 @@ void write_float_divide(Assembler& a, const Operation& o) {
   a.flag(Flag::C, Bit::S);
   a.flag(Flag::C, Bit::K, false, FlagOp::And);  // infinity by infinity
   a.alu(Alu::Or, To::None, P::Zero, Q::Memory, {.addr = y.mantissa + 2, .z = ZMode::Set});
-  a.flag(Flag::K, Bit::Z, false, FlagOp::Or);   // K: infinite, a is or b is zero
+  a.flag(Flag::K, Bit::Z, false, FlagOp::Or);  // K: infinite, a is or b is zero
   a.alu(Alu::Add, To::M, P::Zero, Q::Memory, {.addr = parts.nan(), .cin = Carry::C});
   a.store(P::M, parts.nan());
   a.flag(Flag::C, Bit::Z);
@@ -223,7 +226,7 @@ void write_float_divide(Assembler& a, const Operation& o) {
   a.flag(Flag::C, Bit::Z, false, FlagOp::And);  // zero by zero
   a.alu(Alu::Add, To::M, P::Zero, Q::Memory, {.addr = parts.nan(), .cin = Carry::C});
   a.store(P::M, parts.nan());
-  a.flag(Flag::S, Bit::Z, false, FlagOp::Or);   // S: zero, a is or b is infinite
+  a.flag(Flag::S, Bit::Z, false, FlagOp::Or);  // S: zero, a is or b is infinite
   a.alu(Alu::Or, To::Memory, P::Zero, Q::Flags, {.addr = special});
 
   // 26 bits of the quotient of the mantissas, one before the point, non-restoring: two bits, then three bytes.
@@ -237,7 +240,8 @@ void write_float_divide(Assembler& a, const Operation& o) {
     for (int bit = 0; bit < (byte == 3 ? 2 : 8); ++bit) {
       if (bit > 0 || byte < 3) a.divide(bit > 0, true, 3);
       for (int n = 0; n < 3; ++n) {
-        a.alu(Alu::AddSub, To::W, P::W, Q::Memory, {.addr = y.mantissa + n, .at = n, .cin = n ? Carry::C : Carry::K, .c = true});
+        a.alu(Alu::AddSub, To::W, P::W, Q::Memory,
+              {.addr = y.mantissa + n, .at = n, .cin = n ? Carry::C : Carry::K, .c = true});
       }
     }
     a.divide(true, false, 3);
@@ -246,7 +250,11 @@ void write_float_divide(Assembler& a, const Operation& o) {
   a.flag(Flag::K, Bit::K, true);
   for (int n = 0; n < 3; ++n) {  // the true remainder, for the sticky bit
     a.alu(Alu::AddIf, To::W, P::W, Q::Memory,
-          {.addr = y.mantissa + n, .at = n, .cin = n ? Carry::C : Carry::Zero, .c = true, .z = n ? ZMode::And : ZMode::Set});
+          {.addr = y.mantissa + n,
+           .at = n,
+           .cin = n ? Carry::C : Carry::Zero,
+           .c = true,
+           .z = n ? ZMode::And : ZMode::Set});
   }
   for (int n = 0; n < 4; ++n) a.load_w(quotient + n, n);
   a.shift_left(2);

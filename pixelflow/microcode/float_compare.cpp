@@ -9,7 +9,8 @@ namespace {
 
 /// Z := Z and |number| = 0, or without the old Z; in the flushing form also where the number is subnormal.
 void test_zero(Assembler& a, int address, bool flush, bool is_first) {
-  a.alu(Alu::And, To::None, P::Immediate, Q::Memory, {.addr = address + 3, .imm = 0x7F, .z = is_first ? ZMode::Set : ZMode::And});
+  a.alu(Alu::And, To::None, P::Immediate, Q::Memory,
+        {.addr = address + 3, .imm = 0x7F, .z = is_first ? ZMode::Set : ZMode::And});
   if (flush) {
     a.alu(Alu::And, To::None, P::Immediate, Q::Memory, {.addr = address + 2, .imm = 0x80, .z = ZMode::And});
     return;

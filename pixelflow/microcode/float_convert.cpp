@@ -13,8 +13,8 @@ struct ToFloat {
   int magnitude, lost;
 };
 
-/// Workspace of a conversion to fixed: the bytes that the mantissa moves through, three of them below the point, and the
-/// parts of the float, which come before.
+/// Workspace of a conversion to fixed: the bytes that the mantissa moves through, three of them below the point, and
+/// the parts of the float, which come before.
 struct ToFixed {
   explicit ToFixed(const Operation& o) : buffer(o.work + 6), bytes(o.d.bytes + 3) {}
   int buffer, bytes;
@@ -35,7 +35,8 @@ void write_fixed_to_float(Assembler& a, const Operation& o) {
     from = w.magnitude;
     for (int n = 0; n < bytes; ++n) {
       a.load_m(o.a.address + n);
-      a.alu(Alu::NegateIf, To::Memory, P::M, Q::Immediate, {.addr = from + n, .cin = n ? Carry::C : Carry::K, .c = true});
+      a.alu(Alu::NegateIf, To::Memory, P::M, Q::Immediate,
+            {.addr = from + n, .cin = n ? Carry::C : Carry::K, .c = true});
     }
     load_sign(a, Flag::S, o.a);
   } else {
@@ -51,7 +52,8 @@ void write_fixed_to_float(Assembler& a, const Operation& o) {
     }
   }
   a.set_x(127 + 8 * bytes - 1 - o.scale);
-  // What lies below W moves up byte by byte while W's top byte is empty and the exponent lasts; a byte left behind counts as lost.
+  // What lies below W moves up byte by byte while W's top byte is empty and the exponent lasts; a byte left behind
+  // counts as lost.
   for (int n = bytes - 5; n >= 0; --n) {
     a.alu(Alu::Add, To::None, P::X, Q::Immediate, {.imm = 0x100 - 9, .c = true});  // C: X > 8
     a.alu(Alu::Or, To::None, P::W, Q::Immediate, {.at = 3, .z = ZMode::Set});
@@ -104,7 +106,8 @@ void write_float_to_fixed(Assembler& a, const Operation& o) {
   a.flag(Flag::C, Bit::Z, true, FlagOp::And);
   a.alu(Alu::Add, To::Memory, P::Zero, Q::Immediate, {.addr = nan, .cin = Carry::C});
 
-  // The mantissa goes to the left by exponent + scale - 126 places, 24 of them below the point. K: a negative distance, then 0.
+  // The mantissa goes to the left by exponent + scale - 126 places, 24 of them below the point. K: a negative distance,
+  // then 0.
   const int offset = o.scale - 126;
   a.alu(Alu::Add, To::M, P::X, Q::Immediate, {.imm = offset & 0xFF, .c = true});
   a.alu(Alu::Add, To::X, P::Zero, Q::Immediate, {.imm = offset >> 8 & 0xFF, .cin = Carry::C});
@@ -140,7 +143,8 @@ void write_float_to_fixed(Assembler& a, const Operation& o) {
   }
 
   // The floor: a negative number is -i, or -i - 1 = ~i where bits lie below the point.
-  for (int n = 0; n < 3; ++n) a.alu(Alu::Or, To::None, P::Zero, Q::Memory, {.addr = w.buffer + n, .z = n ? ZMode::And : ZMode::Set});
+  for (int n = 0; n < 3; ++n)
+    a.alu(Alu::Or, To::None, P::Zero, Q::Memory, {.addr = w.buffer + n, .z = n ? ZMode::And : ZMode::Set});
   a.flag_of_memory(Flag::K, sign, 7);
   a.flag(Flag::C, Bit::K);
   a.flag(Flag::C, Bit::Z, false, FlagOp::And);

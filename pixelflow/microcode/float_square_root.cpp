@@ -13,7 +13,8 @@ void write_float_square_root(Assembler& a, const Operation& o) {
   parts.unpack(fa, x, true, FlagOp::Move);
   a.flag(Flag::Z, Bit::S);
 
-  // The mantissa as a fraction in [1/4, 1): one bit lower where the exponent, less its bias, is even. W := its complement.
+  // The mantissa as a fraction in [1/4, 1): one bit lower where the exponent, less its bias, is even. W := its
+  // complement.
   a.set_w(0xFF, 0);
   for (int n = 0; n < 3; ++n) {
     a.alu(Alu::Xor, To::W, P::Immediate, Q::Memory, {.addr = x.mantissa + n, .imm = 0xFF, .at = n + 1});
@@ -28,8 +29,8 @@ void write_float_square_root(Assembler& a, const Operation& o) {
   RootSteps steps(a, z, parts.exponent(), kBits, 0, false);
   for (int step = 1; step <= kBits; ++step) steps.step(step);
 
-  // W := the root, its first bit on top. A root of 24 bits or fewer has a clear rounding bit, any other lies off the halves:
-  // so the sticky bit may always be set.
+  // W := the root, its first bit on top. A root of 24 bits or fewer has a clear rounding bit, any other lies off the
+  // halves: so the sticky bit may always be set.
   a.flag(Flag::K, Bit::K, true);
   a.alu(Alu::Or, To::W, P::X, Q::Immediate);
   for (int n = 1; n < 4; ++n) a.load_w(z + n, n);

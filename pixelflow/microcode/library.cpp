@@ -77,7 +77,8 @@ const Entry& entry(Code code) {
     set(Code::FastExp2, "fast_exp2", Shape::FloatUnary, write_exponential, exponential_workspace);
     set(Code::FastLog, "fast_log", Shape::FloatUnary, write_logarithm, logarithm_workspace);
     set(Code::FastLog2, "fast_log2", Shape::FloatUnary, write_logarithm, logarithm_workspace);
-    set(Code::InverseSquareRoot, "inversesqrt", Shape::FloatUnary, write_inverse_square_root, inverse_square_root_workspace);
+    set(Code::InverseSquareRoot, "inversesqrt", Shape::FloatUnary, write_inverse_square_root,
+        inverse_square_root_workspace);
     set(Code::Atan2, "atan2", Shape::FloatBinary, write_arctangent, arctangent_workspace);
     set(Code::FastAtan2, "fast_atan2", Shape::FloatBinary, write_arctangent, arctangent_workspace);
     set(Code::Pow, "pow", Shape::FloatBinary, write_power, power_workspace);
@@ -91,7 +92,8 @@ const Entry& entry(Code code) {
 }
 
 void check_place(const Operation& o, const Operand& x, const char* which) {
-  if (x.bytes < 1 || x.bytes > 8) refuse(o, std::string(which) + " has " + std::to_string(x.bytes) + " bytes, 1 to 8 are possible");
+  if (x.bytes < 1 || x.bytes > 8)
+    refuse(o, std::string(which) + " has " + std::to_string(x.bytes) + " bytes, 1 to 8 are possible");
   if (!x.uniform && x.address + x.bytes > kMemoryBytes) refuse(o, std::string(which) + " leaves the memory");
 }
 
@@ -104,7 +106,8 @@ void check(const Operation& o) {
   const Entry& e = entry(o.code);
   if (!e.write) refuse(o, "has no microcode");
   const Shape shape = e.shape;
-  const bool binary = shape == Shape::Binary || shape == Shape::Compare || shape == Shape::FloatBinary || shape == Shape::FloatCompare;
+  const bool binary =
+      shape == Shape::Binary || shape == Shape::Compare || shape == Shape::FloatBinary || shape == Shape::FloatCompare;
   const bool writes = shape != Shape::Compare && shape != Shape::FloatCompare;
   Operation places = o;
   if (shape == Shape::Noise) places.a.bytes = static_cast<std::uint8_t>(o.a.bytes * o.scale);
@@ -126,7 +129,8 @@ void check(const Operation& o) {
   if (floats || shape == Shape::ToFixed) four(o.a, "a");
   if (shape == Shape::Noise) {
     const int bytes = o.code == Code::NoiseFloat ? 4 : 2;
-    if (o.a.bytes != bytes || o.d.bytes != bytes) refuse(o, "a coordinate and the result have " + std::to_string(bytes) + " bytes");
+    if (o.a.bytes != bytes || o.d.bytes != bytes)
+      refuse(o, "a coordinate and the result have " + std::to_string(bytes) + " bytes");
   }
   if (shape == Shape::FloatBinary || shape == Shape::FloatCompare) four(o.b, "b");
   if (shape == Shape::FloatUnary || shape == Shape::FloatBinary || shape == Shape::ToFloat) four(o.d, "d");
@@ -158,9 +162,11 @@ void check(const Operation& o) {
   }
   const int work = e.workspace(o);
   if (work == 0) return;
-  if (o.work + work > kMemoryBytes) refuse(o, "needs " + std::to_string(work) + " bytes of workspace from " + std::to_string(o.work) + " on");
+  if (o.work + work > kMemoryBytes)
+    refuse(o, "needs " + std::to_string(work) + " bytes of workspace from " + std::to_string(o.work) + " on");
   const auto clear_of = [&](const Operand& x, const char* which) {
-    if (!x.uniform && o.work < x.address + x.bytes && x.address < o.work + work) refuse(o, std::string("the workspace overlaps ") + which);
+    if (!x.uniform && o.work < x.address + x.bytes && x.address < o.work + work)
+      refuse(o, std::string("the workspace overlaps ") + which);
   };
   if (writes) clear_of(o.d, "d");
   clear_of(places.a, "a");

@@ -1,7 +1,7 @@
 // The microcode library: every operation as a stream of instructions (Olano and Lastra 1998, sections 6.1.3 and 6.1.4).
 //
-// Operands may be the same number; otherwise d must not overlap a or b, and nothing may overlap the workspace. Every routine
-// leaves E as it was, writes nothing but d and the workspace, and those only where E is set.
+// Operands may be the same number; otherwise d must not overlap a or b, and nothing may overlap the workspace. Every
+// routine leaves E as it was, writes nothing but d and the workspace, and those only where E is set.
 #pragma once
 
 #include "cmodel/pixelflow/program.h"
@@ -9,8 +9,8 @@
 
 namespace pixelflow {
 
-/// Appends the instructions of one operation to the program, as one step. Throws std::invalid_argument for operands that
-/// overlap, leave the memory, or that the operation does not take.
+/// Appends the instructions of one operation to the program, as one step. Throws std::invalid_argument for operands
+/// that overlap, leave the memory, or that the operation does not take.
 void append(Program& program, const Operation& operation);
 
 /// Appends one step of bare instructions: `write(Assembler&)`.

@@ -1,5 +1,5 @@
-// Noise (cmodel/pixelflow/native/noise.h has the definition): hash, gradients, and interpolation of the corners of a lattice
-// cell, depth first, so that few values wait.
+// Noise (cmodel/pixelflow/native/noise.h has the definition): hash, gradients, and interpolation of the corners of a
+// lattice cell, depth first, so that few values wait.
 #include <utility>
 
 #include "pixelflow/microcode/routines.h"
@@ -73,8 +73,10 @@ class Noise {
     const int next = temporary_ + 8;
     a.alu(Alu::Add, To::M, P::Immediate, Q::Memory, {.addr = cell, .imm = 1});
     a.store(P::M, next);
-    write_multiply(a, operation(Code::Multiply, place(axis.hash[0], 2), place(cell, 1), constant(kHash[n], 2), 0, temporary_));
-    write_multiply(a, operation(Code::Multiply, place(axis.hash[1], 2), place(next, 1), constant(kHash[n], 2), 0, temporary_));
+    write_multiply(
+        a, operation(Code::Multiply, place(axis.hash[0], 2), place(cell, 1), constant(kHash[n], 2), 0, temporary_));
+    write_multiply(
+        a, operation(Code::Multiply, place(axis.hash[1], 2), place(next, 1), constant(kHash[n], 2), 0, temporary_));
   }
 
   void write_fixed_axis(Assembler& a, int n) {
@@ -87,10 +89,12 @@ class Noise {
     a.store_constant(0xFF, axis.far_top);
     // 3 t^2 - 2 t^3 = t^2 (3 - 2 t)
     const int square = temporary_, rest = temporary_ + 2;
-    write_multiply(a, operation(Code::Multiply, place(square, 2), place(fraction, 1), place(fraction, 1), 0, temporary_ + 4));
+    write_multiply(
+        a, operation(Code::Multiply, place(square, 2), place(fraction, 1), place(fraction, 1), 0, temporary_ + 4));
     write_shift_left(a, operation(Code::ShiftLeft, place(rest, 2), place(fraction, 1), {}, 1, 0));
     write_add(a, operation(Code::Sub, place(rest, 2), constant(3 * 256, 2), place(rest, 2), 0, 0));
-    write_multiply(a, operation(Code::Multiply, place(axis.weight, 1), place(square, 2), place(rest, 2), 2, temporary_ + 4));
+    write_multiply(
+        a, operation(Code::Multiply, place(axis.weight, 1), place(square, 2), place(rest, 2), 2, temporary_ + 4));
   }
 
   void write_float_axis(Assembler& a, int n) {
@@ -105,7 +109,8 @@ class Noise {
     write_multiply(a, operation(Code::Multiply, place(square, 4), place(c, 3), place(c, 3), 2, temporary_ + 12));
     write_shift_left(a, operation(Code::ShiftLeft, place(rest, 4), place(c, 3), {}, 1, 0));
     write_add(a, operation(Code::Sub, place(rest, 4), constant(3u << 24, 4), place(rest, 4), 0, 0));
-    write_multiply(a, operation(Code::Multiply, place(axis.weight, 4), place(square, 4), place(rest, 4), 3, temporary_ + 12));
+    write_multiply(
+        a, operation(Code::Multiply, place(axis.weight, 4), place(square, 4), place(rest, 4), 3, temporary_ + 12));
   }
 
   /// to := floor(x 2^24) modulo 2^32; bit 0 of nan_: a coordinate is infinite or NaN.
@@ -125,7 +130,8 @@ class Noise {
     a.load_w(x + 1, 1);
     a.load_w(x, 0);
     a.flag_of_memory(Flag::K, x + 3, 7);
-    for (int n = 0; n < 4; ++n) a.alu(Alu::NegateIf, To::W, P::W, Q::Immediate, {.at = n, .cin = n ? Carry::C : Carry::K, .c = true});
+    for (int n = 0; n < 4; ++n)
+      a.alu(Alu::NegateIf, To::W, P::W, Q::Immediate, {.at = n, .cin = n ? Carry::C : Carry::K, .c = true});
     // 2^(exponent - 126), to the left or to the right; an arithmetic right shift of the negated number is its floor.
     a.alu(Alu::Sub, To::X, P::X, Q::Immediate, {.imm = 126, .cin = Carry::One, .c = true});  // C: to the left
     a.flag(Flag::K, Bit::C);
@@ -152,7 +158,8 @@ class Noise {
     for (int n = 0; n < 4; ++n) a.alu(Alu::Select, To::Memory, P::W, Q::Immediate, {.addr = to + n, .at = n});
   }
 
-  /// values_[depth] := the noise of the sub-lattice of `level` dimensions at the corner whose upper axes are chosen by `far`.
+  /// values_[depth] := the noise of the sub-lattice of `level` dimensions at the corner whose upper axes are chosen by
+  /// `far`.
   void write_value(Assembler& a, int level, int far, int depth) {
     if (level == 0) {
       write_corner(a, far, values_[depth]);
@@ -180,7 +187,8 @@ class Noise {
       a.store_w_down(temporary_ + 3);
       a.multiply(difference + 1, false, true);
       for (int n = 0; n < 2; ++n) {
-        a.alu(Alu::Add, To::W, P::W, Q::Memory, {.addr = from + n, .at = n, .cin = n ? Carry::C : Carry::Zero, .c = true});
+        a.alu(Alu::Add, To::W, P::W, Q::Memory,
+              {.addr = from + n, .at = n, .cin = n ? Carry::C : Carry::Zero, .c = true});
       }
       a.load_m(temporary_ + 3);
       a.store(P::M, from);
@@ -190,7 +198,8 @@ class Noise {
     a.down();
     for (int n = 0; n < 3; ++n) {
       if (n < 2) a.multiply(difference + n + 1, false, n == 1);
-      a.alu(Alu::Add, To::M, P::W, Q::Memory, {.addr = from + n, .cin = n ? Carry::C : Carry::Zero, .c = true, .down = true});
+      a.alu(Alu::Add, To::M, P::W, Q::Memory,
+            {.addr = from + n, .cin = n ? Carry::C : Carry::Zero, .c = true, .down = true});
       a.store(P::M, from + n);
     }
   }
@@ -198,7 +207,8 @@ class Noise {
   void write_float_mix(Assembler& a, int from, int to, int weight) {
     const int difference = temporary_, product = temporary_ + 4;
     write_add(a, operation(Code::Sub, place(difference, 4), place(to, 4), place(from, 4), 0, 0));
-    write_multiply(a, operation(Code::Multiply, place(product, 4), place(difference, 4, true), place(weight, 4), 4, temporary_ + 8));
+    write_multiply(a, operation(Code::Multiply, place(product, 4), place(difference, 4, true), place(weight, 4), 4,
+                                temporary_ + 8));
     write_add(a, operation(Code::Add, place(from, 4), place(from, 4), place(product, 4), 0, 0));
   }
 
@@ -246,7 +256,9 @@ class Noise {
     a.store_w(q_, 0);
   }
 
-  void bit_of_q(Assembler& a, Flag to, int bit, bool invert = false, FlagOp op = FlagOp::Move) { a.flag_of_memory(to, q_, bit, invert, op); }
+  void bit_of_q(Assembler& a, Flag to, int bit, bool invert = false, FlagOp op = FlagOp::Move) {
+    a.flag_of_memory(to, q_, bit, invert, op);
+  }
 
   /// One dimension: x with q0's sign where q < 8, x with q1's sign where q is 12 or 14, otherwise zero.
   void write_gradient_1(Assembler& a, int far, int to) {
@@ -262,7 +274,8 @@ class Noise {
     bit_of_q(a, Flag::K, 2);
     bit_of_q(a, Flag::K, 0, true, FlagOp::And);
     bit_of_q(a, Flag::K, 3, true, FlagOp::Or);
-    for (int n = 0; n < corner_bytes_; ++n) a.alu(Alu::Select, To::Memory, P::W, Q::Immediate, {.addr = to + n, .at = n});
+    for (int n = 0; n < corner_bytes_; ++n)
+      a.alu(Alu::Select, To::Memory, P::W, Q::Immediate, {.addr = to + n, .at = n});
   }
 
   void write_gradient(Assembler& a, int far, int to) {

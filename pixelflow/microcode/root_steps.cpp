@@ -51,10 +51,13 @@ void RootSteps::step(int step) {
   a_.flag_of(Flag::K, P::W, 7, true, FlagOp::Move, 3);
 }
 
-/// 2V + 1: a left shift brings a zero where V wants a one, so that V comes to stand for -R - excess instead of -R - 1. That is
-/// harmless while the excess is at most the grain of R; before it gets bigger the bits that must be ones are set again.
+/// 2V + 1: a left shift brings a zero where V wants a one, so that V comes to stand for -R - excess instead of -R - 1.
+/// That is harmless while the excess is at most the grain of R; before it gets bigger the bits that must be ones are
+/// set again.
 void RootSteps::double_v(int step) {
-  const auto grain = [&](int after) { return std::max(0, 30 - std::max(fraction_bits_ - after, after)); };  // as a bit of W
+  const auto grain = [&](int after) {
+    return std::max(0, 30 - std::max(fraction_bits_ - after, after));
+  };  // as a bit of W
   a_.shift_left(0);
   excess_ *= 2;
   const bool handed_on = exact_ && step == kMost;

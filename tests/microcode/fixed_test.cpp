@@ -30,7 +30,9 @@ Int root(Int a) {
   Int r = 0;
   for (int bit = 63; bit >= 0; --bit) {
     const Int next = r | static_cast<Int>(1) << bit;
-    if (static_cast<unsigned __int128>(next) * static_cast<unsigned __int128>(next) <= static_cast<unsigned __int128>(a)) r = next;
+    if (static_cast<unsigned __int128>(next) * static_cast<unsigned __int128>(next) <=
+        static_cast<unsigned __int128>(a))
+      r = next;
   }
   return r;
 }
@@ -66,15 +68,17 @@ Int expected(const Operation& o, Int a, Int b) {
 
 std::string text(const Operation& o, std::uint64_t a, std::uint64_t b) {
   std::ostringstream out;
-  out << name(o.code) << " d " << +o.d.bytes << (o.d.is_signed ? "s" : "u") << "@" << +o.d.address << " a " << +o.a.bytes
-      << (o.a.is_signed ? "s" : "u") << (o.a.uniform ? "!" : "@") << +o.a.address << " b " << +o.b.bytes << (o.b.is_signed ? "s" : "u")
-      << (o.b.uniform ? "!" : "@") << +o.b.address << " scale " << o.scale << " values " << std::hex << a << " " << b;
+  out << name(o.code) << " d " << +o.d.bytes << (o.d.is_signed ? "s" : "u") << "@" << +o.d.address << " a "
+      << +o.a.bytes << (o.a.is_signed ? "s" : "u") << (o.a.uniform ? "!" : "@") << +o.a.address << " b " << +o.b.bytes
+      << (o.b.is_signed ? "s" : "u") << (o.b.uniform ? "!" : "@") << +o.b.address << " scale " << o.scale << " values "
+      << std::hex << a << " " << b;
   return out.str();
 }
 
 bool compares(Code c) { return c == Code::Less || c == Code::LessEqual || c == Code::Equal; }
 bool binary(Code c) {
-  return compares(c) || c == Code::Add || c == Code::Sub || c == Code::Multiply || c == Code::Divide || c == Code::Remainder;
+  return compares(c) || c == Code::Add || c == Code::Sub || c == Code::Multiply || c == Code::Divide ||
+         c == Code::Remainder;
 }
 
 class Fixed : public testing::TestWithParam<Code> {};
@@ -96,7 +100,8 @@ TEST_P(Fixed, EqualsWideIntegers) {
       case Code::ShiftLeft: o.scale = pick(57); break;
       case Code::ShiftRight: o.scale = pick(65); break;
       case Code::SquareRoot: o.scale = pick(8 * o.a.bytes + 1); break;
-      case Code::Wrap: case Code::Saturate: o.scale = 1 + pick(8 * o.d.bytes); break;
+      case Code::Wrap:
+      case Code::Saturate: o.scale = 1 + pick(8 * o.d.bytes); break;
       default: break;
     }
     if (!compares(o.code)) {
@@ -131,13 +136,15 @@ TEST_P(Fixed, EqualsWideIntegers) {
       ASSERT_EQ(machine.element.registers.k, want != 0) << text(o, raw_a, raw_b) << " round " << round;
     } else {
       const std::uint64_t mask = o.d.bytes == 8 ? ~0ull : (1ull << (8 * o.d.bytes)) - 1;
-      ASSERT_EQ(machine.get(o.d.address, o.d.bytes), static_cast<std::uint64_t>(want) & mask) << text(o, raw_a, raw_b) << " round " << round;
+      ASSERT_EQ(machine.get(o.d.address, o.d.bytes), static_cast<std::uint64_t>(want) & mask)
+          << text(o, raw_a, raw_b) << " round " << round;
     }
     const int work = workspace_bytes(o);
     for (int n = 0; n < kMemoryBytes; ++n) {
       const bool in_d = !compares(o.code) && n >= o.d.address && n < o.d.address + o.d.bytes;
       if (in_d || (n >= o.work && n < o.work + work)) continue;
-      ASSERT_EQ(machine.element.memory[static_cast<std::size_t>(n)], before.memory[static_cast<std::size_t>(n)]) << text(o, raw_a, raw_b) << " byte " << n;
+      ASSERT_EQ(machine.element.memory[static_cast<std::size_t>(n)], before.memory[static_cast<std::size_t>(n)])
+          << text(o, raw_a, raw_b) << " byte " << n;
     }
     // Where E is clear nothing at all is written.
     pixelflow_test::Machine off;
@@ -151,9 +158,9 @@ TEST_P(Fixed, EqualsWideIntegers) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Microcode, Fixed,
-                         testing::Values(Code::Copy, Code::Add, Code::Sub, Code::Multiply, Code::Divide, Code::Remainder, Code::ShiftLeft,
-                                         Code::ShiftRight, Code::SquareRoot, Code::Wrap, Code::Saturate, Code::Less, Code::LessEqual,
-                                         Code::Equal),
+                         testing::Values(Code::Copy, Code::Add, Code::Sub, Code::Multiply, Code::Divide,
+                                         Code::Remainder, Code::ShiftLeft, Code::ShiftRight, Code::SquareRoot,
+                                         Code::Wrap, Code::Saturate, Code::Less, Code::LessEqual, Code::Equal),
                          [](const auto& chosen) { return std::string(name(chosen.param)); });
 
 }  // namespace

@@ -11,7 +11,8 @@ const std::vector<std::uint32_t>& hard_floats() {
   static const std::vector<std::uint32_t> values = [] {
     std::vector<std::uint32_t> v;
     const std::uint32_t fractions[] = {0, 1, 2, 0x3FFFFF, 0x400000, 0x400001, 0x7FFFFE, 0x7FFFFF};
-    for (const std::uint32_t exponent : {0u, 1u, 2u, 23u, 24u, 63u, 102u, 103u, 126u, 127u, 128u, 150u, 151u, 190u, 253u, 254u, 255u}) {
+    for (const std::uint32_t exponent :
+         {0u, 1u, 2u, 23u, 24u, 63u, 102u, 103u, 126u, 127u, 128u, 150u, 151u, 190u, 253u, 254u, 255u}) {
       for (const std::uint32_t fraction : fractions) {
         v.push_back(exponent << 23 | fraction);
         if (fraction % 3 != 2) v.push_back(0x80000000u | exponent << 23 | fraction);
@@ -26,11 +27,13 @@ std::pair<std::uint32_t, std::uint32_t> random_floats(std::mt19937_64& random) {
   const auto any = [&] { return static_cast<std::uint32_t>(random()); };
   std::uint32_t a = any(), b = any();
   switch (random() % 6) {
-    case 0: b = (b & 0x807FFFFF) | (a & 0x7F800000); break;                                  // one exponent
-    case 1: b = a ^ 0x80000000u ^ (any() & 0xFF); break;                                     // cancel
-    case 2: b = (b & 0x807FFFFF) | ((a + ((any() % 60) << 23)) & 0x7F800000); break;         // near exponents
-    case 3: b = static_cast<std::uint32_t>((b & 0x807FFFFF) | ((254u << 23) - (a & 0x7F800000))) & 0xFFFFFFFFu; break;  // product near 1
-    case 4: a &= 0x80FFFFFF; break;                                                          // tiny
+    case 0: b = (b & 0x807FFFFF) | (a & 0x7F800000); break;                           // one exponent
+    case 1: b = a ^ 0x80000000u ^ (any() & 0xFF); break;                              // cancel
+    case 2: b = (b & 0x807FFFFF) | ((a + ((any() % 60) << 23)) & 0x7F800000); break;  // near exponents
+    case 3:
+      b = static_cast<std::uint32_t>((b & 0x807FFFFF) | ((254u << 23) - (a & 0x7F800000))) & 0xFFFFFFFFu;
+      break;                         // product near 1
+    case 4: a &= 0x80FFFFFF; break;  // tiny
     default: break;
   }
   return {a, b};
@@ -115,7 +118,8 @@ std::uint64_t FloatOracle::to_fixed(std::uint32_t a, const pixelflow::Operand& t
   mpfr_mul_2si(wide_, wide_, scale, MPFR_RNDN);
   mpfr_floor(wide_, wide_);
   std::uint64_t result = 0;
-  const double low = type.is_signed ? -std::ldexp(1.0, width - 1) : 0.0, high = std::ldexp(1.0, type.is_signed ? width - 1 : width);
+  const double low = type.is_signed ? -std::ldexp(1.0, width - 1) : 0.0,
+               high = std::ldexp(1.0, type.is_signed ? width - 1 : width);
   if (mpfr_cmp_d(wide_, low) < 0) {
     result = least;
   } else if (mpfr_cmp_d(wide_, high) >= 0) {

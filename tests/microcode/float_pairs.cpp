@@ -1,5 +1,5 @@
-// Float arithmetic of the microcode against MPFR, on every pair of hard values and as many random pairs as asked for: at
-// model level, and with --rtl in the verilated chips as well.
+// Float arithmetic of the microcode against MPFR, on every pair of hard values and as many random pairs as asked for:
+// at model level, and with --rtl in the verilated chips as well.
 
 #include <fmt/format.h>
 
@@ -60,7 +60,8 @@ class Check {
     append_instructions(program_, [](Assembler& a) { a.flag(Flag::E, Bit::One); });
     append(program_, o);
     if (compares(code)) {  // K as a number
-      append_instructions(program_, [](Assembler& a) { a.alu(Alu::AddIf, To::Memory, P::Zero, Q::Immediate, {.addr = kD, .imm = 1}); });
+      append_instructions(
+          program_, [](Assembler& a) { a.alu(Alu::AddIf, To::Memory, P::Zero, Q::Immediate, {.addr = kD, .imm = 1}); });
     }
   }
 
@@ -82,10 +83,11 @@ class Check {
     for (std::size_t i = 0; i < count; ++i) {
       const bool is_flag = compares(code_);
       const std::uint32_t got = is_flag ? d[i] & 0xFF : d[i];
-      const std::uint32_t want = is_flag ? oracle_.compares(code_, a_[i], b_[i], flush_) : oracle_.rounded(code_, a_[i], b_[i], flush_);
+      const std::uint32_t want =
+          is_flag ? oracle_.compares(code_, a_[i], b_[i], flush_) : oracle_.rounded(code_, a_[i], b_[i], flush_);
       if (got != want) {
-        throw std::runtime_error(fmt::format("{}{} of {:08X}, {:08X} gives {:08X}, correctly rounded {:08X}", name(code_),
-                                             flush_ ? " flushing" : "", a_[i], b_[i], got, want));
+        throw std::runtime_error(fmt::format("{}{} of {:08X}, {:08X} gives {:08X}, correctly rounded {:08X}",
+                                             name(code_), flush_ ? " flushing" : "", a_[i], b_[i], got, want));
       }
     }
     checked_ += count;
@@ -135,7 +137,9 @@ std::unique_ptr<PixelArray> make_array(bool rtl) {
 int main(int argc, char** argv) {
   std::uint64_t pairs = 10'000'000, seed = 1;
   bool rtl = false;
-  CLI::App app("Compares float arithmetic of the pixel processors with MPFR.\nExit status: 0 all equal, 1 a difference, 2 wrong usage.");
+  CLI::App app(
+      "Compares float arithmetic of the pixel processors with MPFR.\nExit status: 0 all equal, 1 a difference, 2 wrong "
+      "usage.");
   app.option_defaults()->always_capture_default();
   app.add_option("--pairs", pairs, "random pairs for each operation, beside every pair of hard values");
   app.add_option("--seed", seed, "seed of the random pairs");
@@ -147,11 +151,11 @@ int main(int argc, char** argv) {
   }
   try {
     const auto array = make_array(rtl);
-    fmt::print("Equal to MPFR, {}; seed {}.\n\n| operation | hard pairs | random pairs |\n|---|---:|---:|\n", rtl ? "in the RTL" : "at model level",
-               seed);
+    fmt::print("Equal to MPFR, {}; seed {}.\n\n| operation | hard pairs | random pairs |\n|---|---:|---:|\n",
+               rtl ? "in the RTL" : "at model level", seed);
     for (const bool flush : {false, true}) {
-      for (const Code code : {Code::FloatAdd, Code::FloatSub, Code::FloatMultiply, Code::FloatDivide, Code::FloatSquareRoot,
-                              Code::FloatLess, Code::FloatLessEqual, Code::FloatEqual}) {
+      for (const Code code : {Code::FloatAdd, Code::FloatSub, Code::FloatMultiply, Code::FloatDivide,
+                              Code::FloatSquareRoot, Code::FloatLess, Code::FloatLessEqual, Code::FloatEqual}) {
         run(*array, code, flush, pairs, seed);
       }
     }

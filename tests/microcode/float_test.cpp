@@ -1,4 +1,5 @@
-// Float microcode against MPFR: every pair of hard values, and random ones, correctly rounded, subnormals and NaN included.
+// Float microcode against MPFR: every pair of hard values, and random ones, correctly rounded, subnormals and NaN
+// included.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -22,8 +23,8 @@ class Float : public testing::TestWithParam<Case> {};
 
 std::string text(const Operation& o, std::uint32_t a, std::uint32_t b) {
   std::ostringstream out;
-  out << name(o.code) << (o.flush ? " flushing " : " ") << std::hex << a << " " << b << std::dec << " (" << std::bit_cast<float>(a) << ", "
-      << std::bit_cast<float>(b) << ")";
+  out << name(o.code) << (o.flush ? " flushing " : " ") << std::hex << a << " " << b << std::dec << " ("
+      << std::bit_cast<float>(a) << ", " << std::bit_cast<float>(b) << ")";
   return out.str();
 }
 
@@ -81,14 +82,15 @@ TEST_P(Float, RandomPairs) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Microcode, Float,
-                         testing::Values(Case{Code::FloatAdd, false}, Case{Code::FloatSub, false}, Case{Code::FloatMultiply, false},
-                                         Case{Code::FloatDivide, false}, Case{Code::FloatSquareRoot, false}, Case{Code::FloatLess, false},
-                                         Case{Code::FloatLessEqual, false}, Case{Code::FloatEqual, false}, Case{Code::FloatAdd, true},
-                                         Case{Code::FloatSub, true}, Case{Code::FloatMultiply, true}, Case{Code::FloatDivide, true},
-                                         Case{Code::FloatSquareRoot, true}, Case{Code::FloatLess, true}, Case{Code::FloatLessEqual, true},
-                                         Case{Code::FloatEqual, true}),
-                         [](const auto& chosen) { return std::string(name(chosen.param.code)) + (chosen.param.flush ? "_flush" : ""); });
+INSTANTIATE_TEST_SUITE_P(
+    Microcode, Float,
+    testing::Values(Case{Code::FloatAdd, false}, Case{Code::FloatSub, false}, Case{Code::FloatMultiply, false},
+                    Case{Code::FloatDivide, false}, Case{Code::FloatSquareRoot, false}, Case{Code::FloatLess, false},
+                    Case{Code::FloatLessEqual, false}, Case{Code::FloatEqual, false}, Case{Code::FloatAdd, true},
+                    Case{Code::FloatSub, true}, Case{Code::FloatMultiply, true}, Case{Code::FloatDivide, true},
+                    Case{Code::FloatSquareRoot, true}, Case{Code::FloatLess, true}, Case{Code::FloatLessEqual, true},
+                    Case{Code::FloatEqual, true}),
+    [](const auto& chosen) { return std::string(name(chosen.param.code)) + (chosen.param.flush ? "_flush" : ""); });
 
 /// Operands in place, uniform ones, and E clear.
 TEST(FloatOperands, PlacesDoNotMatter) {
@@ -123,7 +125,8 @@ TEST(FloatOperands, PlacesDoNotMatter) {
     ASSERT_EQ(machine.get(o.d.address, 4), oracle.rounded(o.code, a, b, false)) << text(o, a, b) << " place " << place;
     for (int byte = 0; byte < kMemoryBytes; ++byte) {
       if ((byte >= o.d.address && byte < o.d.address + 4) || (byte >= 100 && byte < 100 + workspace_bytes(o))) continue;
-      ASSERT_EQ(machine.element.memory[static_cast<std::size_t>(byte)], before[static_cast<std::size_t>(byte)]) << text(o, a, b) << " byte " << byte;
+      ASSERT_EQ(machine.element.memory[static_cast<std::size_t>(byte)], before[static_cast<std::size_t>(byte)])
+          << text(o, a, b) << " byte " << byte;
     }
   }
 }
@@ -145,7 +148,8 @@ TEST(Conversion, FixedToFloat) {
     Machine machine;
     machine.put(40, o.a.bytes, raw);
     machine.run(program);
-    ASSERT_EQ(machine.get(20, 4), oracle.from_fixed(raw, o.a, o.scale)) << +o.a.bytes << (o.a.is_signed ? "s " : "u ") << std::hex << raw << std::dec << " scale " << o.scale;
+    ASSERT_EQ(machine.get(20, 4), oracle.from_fixed(raw, o.a, o.scale))
+        << +o.a.bytes << (o.a.is_signed ? "s " : "u ") << std::hex << raw << std::dec << " scale " << o.scale;
   }
 }
 
@@ -169,7 +173,8 @@ TEST(Conversion, FloatToFixed) {
     Machine machine;
     machine.put(40, 4, a);
     machine.run(program);
-    ASSERT_EQ(machine.get(20, o.d.bytes), oracle.to_fixed(a, o.d, o.scale)) << +o.d.bytes << (o.d.is_signed ? "s " : "u ") << std::hex << a << std::dec << " scale " << o.scale;
+    ASSERT_EQ(machine.get(20, o.d.bytes), oracle.to_fixed(a, o.d, o.scale))
+        << +o.d.bytes << (o.d.is_signed ? "s " : "u ") << std::hex << a << std::dec << " scale " << o.scale;
   }
 }
 

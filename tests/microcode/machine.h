@@ -20,11 +20,13 @@ class Machine {
   Machine() { element.registers.e = true; }
 
   void put(int address, int bytes, std::uint64_t value) {
-    for (int n = 0; n < bytes; ++n) element.memory[static_cast<std::size_t>(address + n)] = static_cast<std::uint8_t>(value >> (8 * n));
+    for (int n = 0; n < bytes; ++n)
+      element.memory[static_cast<std::size_t>(address + n)] = static_cast<std::uint8_t>(value >> (8 * n));
   }
   std::uint64_t get(int address, int bytes) const {
     std::uint64_t value = 0;
-    for (int n = 0; n < bytes; ++n) value |= static_cast<std::uint64_t>(element.memory[static_cast<std::size_t>(address + n)]) << (8 * n);
+    for (int n = 0; n < bytes; ++n)
+      value |= static_cast<std::uint64_t>(element.memory[static_cast<std::size_t>(address + n)]) << (8 * n);
     return value;
   }
   void run(const pixelflow::Program& program) {

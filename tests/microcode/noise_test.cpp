@@ -1,9 +1,10 @@
 // Noise microcode against the definition, one to three dimensions.
+#include "cmodel/pixelflow/native/noise.h"
+
 #include <gtest/gtest.h>
 
 #include <bit>
 
-#include "cmodel/pixelflow/native/noise.h"
 #include "tests/microcode/machine.h"
 
 using namespace pixelflow;
@@ -54,7 +55,8 @@ TEST_P(NoiseOf, FloatPoints) {
     const std::uint32_t* at[3];
     for (int n = 0; n < 3; ++n) {
       c[n] = static_cast<std::uint32_t>(random());
-      if (random() % 4) c[n] = (c[n] & 0x807FFFFF) | static_cast<std::uint32_t>(100 + random() % 70) << 23;  // near lattice cells
+      if (random() % 4)
+        c[n] = (c[n] & 0x807FFFFF) | static_cast<std::uint32_t>(100 + random() % 70) << 23;  // near lattice cells
       at[n] = &c[n];
       if (n < dimensions) machine.put(40 + 4 * n, 4, c[n]);
     }
@@ -85,7 +87,8 @@ TEST(NoiseDefinition, HashAndValues) {
       at[n] = &c[n];
     }
     native::noise_float(3, at, &result, 1);
-    EXPECT_NEAR(2.0 * std::bit_cast<float>(result) - 1.0, values[p], 4e-6);  // the points are floats here, decimals there
+    EXPECT_NEAR(2.0 * std::bit_cast<float>(result) - 1.0, values[p],
+                4e-6);  // the points are floats here, decimals there
   }
 }
 
