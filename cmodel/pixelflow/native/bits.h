@@ -61,7 +61,7 @@ PIXELFLOW_INLINE Normal select(uint32_t condition, Normal a, Normal b) {
 // Shifts by a count of the element; zero when nothing is left.
 PIXELFLOW_INLINE uint32_t shift_right(uint32_t value, int32_t count) { return count > 31 ? 0u : value >> (count & 31); }
 PIXELFLOW_INLINE uint64_t shift_right_wide(uint64_t value, int32_t count) {
-  return count > 63 ? 0u : value >> (count & 63);
+  return select_wide(count > 63 ? 1u : 0u, 0u, value >> (count & 63));
 }
 
 // As shift_right, but bit 0 of the result is set where a bit is lost. count >= 0.

@@ -32,10 +32,10 @@ PIXELFLOW_INLINE uint32_t fast_power_of_fraction(uint32_t f) {
   return horner_plus(kFastExponential[0], f, p);
 }
 
-// 2^(+-exponent), exponent in Q8.32, rounded.
+// 2^exponent, or 2^-exponent where negative is 1, rounded; exponent in Q8.32.
 template <bool Fast>
-PIXELFLOW_INLINE uint32_t power_of_two(uint32_t sign, bool negative, uint64_t exponent) {
-  const int64_t power = static_cast<int64_t>(negative ? uint64_t{0} - exponent : exponent);
+PIXELFLOW_INLINE uint32_t power_of_two(uint32_t sign, uint32_t negative, uint64_t exponent) {
+  const int64_t power = static_cast<int64_t>(select_wide(negative, uint64_t{0} - exponent, exponent));
   const uint32_t f = static_cast<uint32_t>(power);
   const uint32_t significand = Fast ? fast_power_of_fraction(f) : power_of_fraction(f);
   return round_any(sign, {significand, static_cast<int32_t>(power >> 32)});
@@ -49,7 +49,7 @@ PIXELFLOW_INLINE uint32_t exponential(uint32_t x, uint64_t factor, int32_t limit
   const uint64_t exact = uint64_t{(a & 0x7FFFFFu) | 0x800000u} * factor;  // 8 bytes, units of 2^(exponent - 62)
   const bool large = exponent >= limit;
   const uint64_t fixed = shift_right_wide(exact, 30 - (large ? 0 : exponent));
-  const uint32_t result = power_of_two<Fast>(0, sign_of(x) != 0, large ? kLargestQ32 : fixed);
+  const uint32_t result = power_of_two<Fast>(0, x >> 31, large ? kLargestQ32 : fixed);
   return is_nan(x) ? kNan : result;
 }
 

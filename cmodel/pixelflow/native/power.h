@@ -39,14 +39,15 @@ PIXELFLOW_INLINE uint32_t pow(uint32_t x, uint32_t y) {
   const int32_t exponent = log.exponent + factor.exponent;  // of units of 2^-62
   const uint64_t fixed = shift_right_wide(exact, 30 - (exponent > 7 ? 7 : exponent));
   const bool large = ((exponent > 7) | (fixed > kLargestQ32)) & (exact != 0);
-  const uint32_t value = power_of_two<false>(sign, (log.negative ^ y_negative) != 0, large ? kLargestQ32 : fixed);
+  const uint32_t value = power_of_two<false>(sign, log.negative ^ y_negative, large ? kLargestQ32 : fixed);
 
   const bool extreme = (ax == 0) | (ax == kInfinity) | ((ay == kInfinity) & (ax != kOne));
-  const bool infinite = (ax > kOne) != (y_negative != 0);
-  const uint32_t limit = sign | (infinite ? kInfinity : 0u);
-  const uint32_t number = extreme ? limit : value;
-  const bool invalid = (sign_of(x) != 0) & (parity.integer == 0) & !extreme;
-  const uint32_t result = (invalid || ax > kInfinity || ay > kInfinity) ? kNan : number;
+  const uint32_t infinite = (ax > kOne ? 1u : 0u) ^ y_negative;
+  const uint32_t limit = sign | (kInfinity & (0u - infinite));
+  const uint32_t invalid = (x >> 31) & (parity.integer ^ 1u);
+  const uint32_t finite = select(invalid, kNan, value);
+  const uint32_t number = extreme ? limit : finite;
+  const uint32_t result = ((ax > kInfinity) | (ay > kInfinity)) ? kNan : number;
   return ((ay == 0) | (x == kOne)) ? kOne : result;
 }
 
