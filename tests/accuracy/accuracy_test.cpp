@@ -62,6 +62,17 @@ TEST_P(FastOneArgument, KeepsTheOrderOfNeighbours) {
 INSTANTIATE_TEST_SUITE_P(Accuracy, OneArgument, testing::ValuesIn(unary_functions().begin(), unary_functions().end()),
                          [](const auto& tested) { return name_of(tested); });
 
+// The exhaustive run judges the order within its chunks of 2^24 arguments; these are the pairs between them.
+TEST_P(FastOneArgument, KeepsTheOrderBetweenChunks) {
+  uint64_t inputs = 0;
+  for (uint64_t first = uint64_t{1} << 24; first < uint64_t{1} << 32; first += uint64_t{1} << 24) {
+    const accuracy::Tally tally = accuracy::run_arguments(GetParam(), first - 4, 8, 1);
+    EXPECT_EQ(tally.disorder, 0u) << std::hex << tally.disorder_x;
+    inputs += tally.inputs;
+  }
+  EXPECT_EQ(inputs, 255u * 8);
+}
+
 INSTANTIATE_TEST_SUITE_P(Accuracy, FastOneArgument, testing::ValuesIn(fast_functions()),
                          [](const auto& tested) { return name_of(tested); });
 
