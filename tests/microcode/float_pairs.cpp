@@ -2,10 +2,15 @@
 // at model level, and with --rtl in the verilated chips as well.
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <bit>
+#include <chrono>
+#include <cmath>
 #include <exception>
 #include <memory>
+#include <numeric>
 #include <stdexcept>
 #include <vector>
 
@@ -123,6 +128,42 @@ void run(PixelArray& array, Code code, bool flush, std::uint64_t pairs, std::uin
   fmt::print("| {}{} | {} | {} |\n", name(code), flush ? ", flushing" : "", hard, check.checked() - hard);
 }
 
+/// The square root of every float, against the host's, which IEEE 754 wants correctly rounded as well.
+void run_all_roots(PixelArray& array) {
+  Operation o;
+  o.code = Code::FloatSquareRoot;
+  o.a.address = kA;
+  o.d.address = kD;
+  o.work = kWork;
+  Program program;
+  append_instructions(program, [](Assembler& a) { a.flag(Flag::E, Bit::One); });
+  append(program, o);
+  const bool shows = isatty(STDERR_FILENO) != 0;
+  const auto start = std::chrono::steady_clock::now();
+  Words a(kLanes);
+  for (std::uint64_t first = 0; first < 1ull << 32; first += kLanes) {
+    std::iota(a.begin(), a.end(), static_cast<std::uint32_t>(first));
+    put(array, kA, a);
+    array.run(program);
+    const Words d = get(array, kD);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      const float root = std::sqrt(std::bit_cast<float>(a[i]));
+      const std::uint32_t want = std::isnan(root) ? 0x7FC00000 : std::bit_cast<std::uint32_t>(root);
+      if (d[i] == want) continue;
+      throw std::runtime_error(fmt::format("float_sqrt of {:08X} gives {:08X}, the host {:08X}", a[i], d[i], want));
+    }
+    if (shows && first % (1ull << 26) == 0) {
+      const double part = static_cast<double>(first + kLanes) / 0x1p32;
+      const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      fmt::print(stderr, "\r[{:<30}] {:5.1f} %  {:.1f} million/s  {:.0f} s left ",
+                 std::string(static_cast<std::size_t>(part * 30), '='), part * 100, part * 0x1p32 / seconds * 1e-6,
+                 seconds / part - seconds);
+    }
+  }
+  if (shows) fmt::print(stderr, "\n");
+  fmt::print("float_sqrt: all 2^32 arguments equal to the host's correctly rounded root.\n");
+}
+
 std::unique_ptr<PixelArray> make_array(bool rtl) {
   if (!rtl) return make_golden_array(Level::Model, kLanes);
 #ifdef PIXELFLOW_HAS_RTL
@@ -136,7 +177,7 @@ std::unique_ptr<PixelArray> make_array(bool rtl) {
 
 int main(int argc, char** argv) {
   std::uint64_t pairs = 10'000'000, seed = 1;
-  bool rtl = false;
+  bool rtl = false, all_roots = false;
   CLI::App app(
       "Compares float arithmetic of the pixel processors with MPFR.\nExit status: 0 all equal, 1 a difference, 2 wrong "
       "usage.");
@@ -144,6 +185,7 @@ int main(int argc, char** argv) {
   app.add_option("--pairs", pairs, "random pairs for each operation, beside every pair of hard values");
   app.add_option("--seed", seed, "seed of the random pairs");
   app.add_flag("--rtl", rtl, "in the verilated chips");
+  app.add_flag("--all-roots", all_roots, "instead: the square root of all 2^32 floats");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -151,6 +193,10 @@ int main(int argc, char** argv) {
   }
   try {
     const auto array = make_array(rtl);
+    if (all_roots) {
+      run_all_roots(*array);
+      return 0;
+    }
     fmt::print("Equal to MPFR, {}; seed {}.\n\n| operation | hard pairs | random pairs |\n|---|---:|---:|\n",
                rtl ? "in the RTL" : "at model level", seed);
     for (const bool flush : {false, true}) {
