@@ -30,6 +30,8 @@ class PixelChipDriver final : public PixelChip {
   ~PixelChipDriver() override {
     if (trace_) trace_->close();
     top_->final();
+    // Verilator takes the scopes of a model from the context used last, which may be another chip's.
+    Verilated::threadContextp(&context_);
   }
 
   int lanes() const override { return lanes_; }

@@ -27,7 +27,10 @@ class Block {
     top.rst_ni = 1;
     settle();
   }
-  ~Block() { top.final(); }
+  ~Block() {
+    top.final();
+    Verilated::threadContextp(&context_);
+  }
   void settle() {
     top.clk_i = 0;
     top.eval();

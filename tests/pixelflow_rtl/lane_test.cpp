@@ -46,6 +46,8 @@ class Lane {
     m.row_i = byte(ChipRow::Row);
   }
 
+  ~Lane() { Verilated::threadContextp(&context_); }
+
   void cycle(const pixelflow::Instruction& instruction, int digit) {
     auto& m = module();
     m.execute_i = 1;
