@@ -60,7 +60,8 @@ accuracy::Progress progress_bar() {
 }
 
 bool is_pair(std::string_view name) {
-  return std::ranges::any_of(pixelflow::native::binary_functions(), [&](const auto& function) { return function.name == name; });
+  return std::ranges::any_of(pixelflow::native::binary_functions(),
+                             [&](const auto& function) { return function.name == name; });
 }
 
 void print_exact(const std::vector<std::string>& names, const std::map<std::string, accuracy::Tally>& sums) {
@@ -94,7 +95,8 @@ void record(const std::string& path, const std::map<std::string, accuracy::Tally
   for (const auto& [name, tally] : sums) {
     const bool all = tally.inputs == 1ull << 32;
     file[name] = {{"max_error_ulp", tally.max_ulp},
-                  {"inputs", all ? "all 2^32 arguments" : fmt::format("{} {}", tally.inputs, is_pair(name) ? "pairs" : "arguments")},
+                  {"inputs", all ? "all 2^32 arguments"
+                                 : fmt::format("{} {}", tally.inputs, is_pair(name) ? "pairs" : "arguments")},
                   {"correctly_rounded", tally.equal}};
   }
   std::ofstream out(path);
