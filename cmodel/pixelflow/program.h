@@ -11,8 +11,8 @@
 namespace pixelflow {
 
 /// A run of instructions. With an operation the macro level computes that instead; both leave the same bytes in memory,
-/// the workspace apart, the same E, and where E is set the same K of a comparison. All other registers are unspecified after
-/// an operation.
+/// the workspace apart, the same E, and where E is set the same K of a comparison. All other registers are unspecified
+/// after an operation.
 struct Step {
   std::optional<Operation> operation;
   std::uint32_t first = 0;  ///< first instruction of the run
