@@ -24,6 +24,11 @@ module pixel_row (
   input  logic                         outbound_re_i,
   input  pixelflow_pkg::lane_t         outbound_lane_i,
   output pixelflow_pkg::packet_t       outbound_packet_o
+`ifdef FORMAL
+  // the first lane's state and its first bytes, for the proof
+  , output pixelflow_pkg::registers_t  registers_o
+  , output logic [63:0]                bytes_o
+`endif
 );
 
   localparam int unsigned N           = pixelflow_pkg::Elements;
@@ -36,25 +41,15 @@ module pixel_row (
   logic [7:0]  memory_q [Bytes][N];
   logic [7:0]  inbound_q [PacketBytes][N];
   logic [7:0]  outbound_q [PacketBytes][N];
-  logic [7:0]  column_q [N];
-  logic [7:0]  row_q [N];
+  logic [7:0]  column_q [N], row_q [N];
   logic [31:0] w_q [N];
-  logic [7:0]  m_q [N];
-  logic [7:0]  x_q [N];
-  logic        e_q [N];
-  logic        k_q [N];
-  logic        s_q [N];
-  logic        z_q [N];
-  logic        c_q [N];
+  logic [7:0]  m_q [N], x_q [N];
+  logic        e_q [N], k_q [N], s_q [N], z_q [N], c_q [N];
   logic [8*PacketBytes-1:0] outbound_packet_q;
 
   // Rows between the loops of one instruction; none keeps a value from one cycle to the next.
-  logic [7:0] p [N];
-  logic [7:0] q [N];
-  logic [7:0] result [N];
-  logic       carry [N];
-  logic       sign [N];
-  logic       bits [N];
+  logic [7:0] p [N], q [N], result [N];
+  logic       carry [N], sign [N], bits [N];
 
   logic [1:0] kind, cin, gate, z, at;
   logic [2:0] p_code, q_code, dest, bit_number;
@@ -492,5 +487,11 @@ module pixel_row (
   end
 
   assign outbound_packet_o = outbound_packet_q;
+
+`ifdef FORMAL
+  assign registers_o = {e_q[0], k_q[0], s_q[0], z_q[0], c_q[0], m_q[0], x_q[0], w_q[0]};
+  assign bytes_o     = {inbound_q[1][0], inbound_q[0][0], row_q[0], column_q[0],
+                        outbound_q[1][0], outbound_q[0][0], memory_q[1][0], memory_q[0][0]};
+`endif
 
 endmodule
