@@ -1,8 +1,8 @@
-// The communication buffers of a chip: one inbound and one outbound packet an element. The bytes lie beside the elements
-// (pixel_row); here is who may touch them. Inbound packets come lane after lane, one a beat, until every element has its
-// own; then none is taken until FreeInbound. Send hands the outbound packets over, and they go out lane after lane, one a
-// beat; the sequencer holds up whoever would write them meanwhile. Latency: an outbound packet is offered one cycle
-// after it is asked for. Refuses inbound packets while they are not free.
+// The communication buffers of a chip: one inbound and one outbound packet an element. The bytes lie beside the
+// elements (pixel_row); here is who may touch them. Inbound packets come lane after lane, one a beat, until every
+// element has its own; then none is taken until FreeInbound. Send hands the outbound packets over, and they go out lane
+// after lane, one a beat; the sequencer holds up whoever would write them meanwhile. Latency: an outbound packet is
+// offered one cycle after it is asked for. Refuses inbound packets while they are not free.
 
 module communication_buffer #(
   parameter int unsigned Lanes = pixelflow_pkg::Elements

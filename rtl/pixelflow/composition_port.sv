@@ -1,8 +1,9 @@
-// The compositor of a chip (section 5.1: pixels are combined as they pass from node to node, by a visibility test): takes a
-// packet of its own element and one from the chip of the node before for the same element, and passes on the closer one. Depth
-// is the first bytes of a packet, unsigned, least significant first; smaller is closer, and equal depth goes to the packet
-// from upstream, so that the order of the nodes alone decides. Final colours travel without compositing. The mode may change
-// while nothing is on its way. Latency: one cycle, a packet a cycle. Refuses what it cannot pass on.
+// The compositor of a chip (section 5.1: pixels are combined as they pass from node to node, by a visibility test):
+// takes a packet of its own element and one from the chip of the node before for the same element, and passes on the
+// closer one. Depth is the first bytes of a packet, unsigned, least significant first; smaller is closer, and equal
+// depth goes to the packet from upstream, so that the order of the nodes alone decides. Final colours travel without
+// compositing. The mode may change while nothing is on its way. Latency: one cycle, a packet a cycle. Refuses what it
+// cannot pass on.
 
 module composition_port #(
   parameter int unsigned Lanes = pixelflow_pkg::Elements

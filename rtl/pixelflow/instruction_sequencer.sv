@@ -1,8 +1,9 @@
-// Takes instructions from the stream and gives them to all elements: each for one cycle, a multiplication once for every
-// digit of the multiplier, where the zero digits of an immediate multiplier are left out (but for one when all are zero).
-// Control instructions act here. Instructions are taken from `start_i` to the End that follows; then `done_o` holds. An
-// instruction that has to wait holds up what follows: WaitInbound until packets have arrived, Send and a write to the
-// outbound packet while the last ones are still being sent. Latency: none; refuses the stream while it waits or is done.
+// Takes instructions from the stream and gives them to all elements: each for one cycle, a multiplication once for
+// every digit of the multiplier, where the zero digits of an immediate multiplier are left out (but for one when all
+// are zero). Control instructions act here. Instructions are taken from `start_i` to the End that follows; then
+// `done_o` holds. An instruction that has to wait holds up what follows: WaitInbound until packets have arrived, Send
+// and a write to the outbound packet while the last ones are still being sent. Latency: none; refuses the stream while
+// it waits or is done.
 
 module instruction_sequencer (
   input  logic                         clk_i,

@@ -1,8 +1,9 @@
-// One chip of the array (section 5.1; 32 of 256 elements make a region of 128 x 64): stream buffer, instruction sequencer,
-// elements in row form, communication buffer and composition port. Element i of chip c is sample c * Elements + i of the
-// region, row after row, unless another place is loaded. Planes A x + B y + C have no adder tree here: an element
-// reads its column and row, and microcode multiplies by uniform factors where planes are wanted. Latency: a word of the
-// stream is executed in the cycle after it is taken at the earliest. Refuses what its parts refuse.
+// One chip of the array (section 5.1; 32 of 256 elements make a region of 128 x 64): stream buffer, instruction
+// sequencer, elements in row form, communication buffer and composition port. Element i of chip c is sample c *
+// Elements + i of the region, row after row, unless another place is loaded. Planes A x + B y + C have no adder tree
+// here: an element reads its column and row, and microcode multiplies by uniform factors where planes are wanted.
+// Latency: a word of the stream is executed in the cycle after it is taken at the earliest. Refuses what its parts
+// refuse.
 
 module pixel_chip (
   input  logic                         clk_i,

@@ -1,7 +1,8 @@
-// One processing element (Olano and Lastra 1998, section 5.1: an 8-bit ALU that supports integer multiplication, an enable
-// flag): its registers and its logic; memory and packets lie outside. docs/pixel_processor.md describes each code. An
-// instruction takes one cycle, a multiplication one for each digit that the sequencer gives. The memory operand comes in the
-// same cycle, and an instruction that writes does not read. Refuses nothing: unused codes do nothing.
+// One processing element (Olano and Lastra 1998, section 5.1: an 8-bit ALU that supports integer multiplication, an
+// enable flag): its registers and its logic; memory and packets lie outside. docs/pixel_processor.md describes each
+// code. An instruction takes one cycle, a multiplication one for each digit that the sequencer gives. The memory
+// operand comes in the same cycle, and an instruction that writes does not read. Refuses nothing: unused codes do
+// nothing.
 
 module pixel_element (
   input  logic                         clk_i,

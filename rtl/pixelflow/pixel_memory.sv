@@ -1,5 +1,5 @@
-// Memory of one element: one port, which reads or writes in a cycle. The byte comes in the same cycle. Addresses beyond the
-// memory read zero and are not written.
+// Memory of one element: one port, which reads or writes in a cycle. The byte comes in the same cycle. Addresses beyond
+// the memory read zero and are not written.
 
 module pixel_memory (
   input  logic                  clk_i,

@@ -1,5 +1,5 @@
-// One element with its memory: the form for proofs and synthesis. pixel_row is the same for all elements of a chip. Latency:
-// one cycle an instruction, for a multiplication one a digit. Refuses nothing.
+// One element with its memory: the form for proofs and synthesis. pixel_row is the same for all elements of a chip.
+// Latency: one cycle an instruction, for a multiplication one a digit. Refuses nothing.
 
 module pixel_processor (
   input  logic                         clk_i,

@@ -1,7 +1,8 @@
-// The elements of a chip in row form: what pixel_element, its memory and its packets do, for all lanes at once, which a C++
-// compiler makes vector code of. Every array has a row of all lanes, state changes in place, and the choices by the
-// instruction stand outside the loops over the lanes. Tests and a proof tie a lane to pixel_processor. Latency: one cycle an
-// instruction, for a multiplication one a digit; a packet to be sent comes one cycle after it is asked for. Refuses nothing.
+// The elements of a chip in row form: what pixel_element, its memory and its packets do, for all lanes at once, which a
+// C++ compiler makes vector code of. Every array has a row of all lanes, state changes in place, and the choices by the
+// instruction stand outside the loops over the lanes. Tests and a proof tie a lane to pixel_processor. Latency: one
+// cycle an instruction, for a multiplication one a digit; a packet to be sent comes one cycle after it is asked for.
+// Refuses nothing.
 
 module pixel_row (
   input  logic                         clk_i,
@@ -39,8 +40,7 @@ module pixel_row (
   localparam logic [8:0] LastAddress = 9'(Bytes - 1);
 
   logic [7:0]  memory_q [Bytes][N];
-  logic [7:0]  inbound_q [PacketBytes][N];
-  logic [7:0]  outbound_q [PacketBytes][N];
+  logic [7:0]  inbound_q [PacketBytes][N], outbound_q [PacketBytes][N];
   logic [7:0]  column_q [N], row_q [N];
   logic [31:0] w_q [N];
   logic [7:0]  m_q [N], x_q [N];
@@ -281,7 +281,8 @@ module pixel_row (
   assign above_digit     = counts_negative ? 32'd1 << R : 32'd0;   // taken off where the digit's top bit is set
   assign imm_factor      = factor(imm, weight, above_digit);
 
-  function automatic logic [31:0] factor(input logic [7:0] multiplier, input logic [2:0] shift, input logic [31:0] taken);
+  function automatic logic [31:0] factor(input logic [7:0] multiplier, input logic [2:0] shift,
+                                         input logic [31:0] taken);
     logic [31:0] digit;
     digit  = {24'd0, (multiplier >> shift) & DigitMask};
     factor = (digit - (digit[R-1] ? taken : 32'd0)) << shift;
@@ -292,7 +293,9 @@ module pixel_row (
     extend = set_s ? 32'hFFFF_FFFF : 32'd0;
     fetch_q();
     if (p_code == pixelflow_pkg::PImmediate) begin
-      for (int unsigned i = 0; i < N; i++) w_q[i] = w_q[i] + imm_factor * ({24'd0, q[i]} | ({{24{q[i][7]}}, 8'd0} & extend));
+      for (int unsigned i = 0; i < N; i++) begin
+        w_q[i] = w_q[i] + imm_factor * ({24'd0, q[i]} | ({{24{q[i][7]}}, 8'd0} & extend));
+      end
     end else begin
       for (int unsigned i = 0; i < N; i++) begin
         w_q[i] = w_q[i] + factor(x_q[i], weight, above_digit) * ({24'd0, q[i]} | ({{24{q[i][7]}}, 8'd0} & extend));

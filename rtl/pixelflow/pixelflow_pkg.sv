@@ -1,6 +1,6 @@
-// Types of the pixel processors: the instruction word, its codes, and an element's registers. docs/pixel_processor.md says
-// what each code does. The paper (Olano and Lastra 1998, section 5.1) gives 8-bit ALUs that support integer multiplication,
-// 256 bytes of memory and an enable flag; the rest of the element is this project's own.
+// Types of the pixel processors: the instruction word, its codes, and an element's registers. docs/pixel_processor.md
+// says what each code does. The paper (Olano and Lastra 1998, section 5.1) gives 8-bit ALUs that support integer
+// multiplication, 256 bytes of memory and an enable flag; the rest of the element is this project's own.
 
 `include "pixelflow_parameters.svh"
 
@@ -113,7 +113,9 @@ package pixelflow_pkg;
 
   // What the composition port passes on: own packets alone (the first node, or final colours), the closer of own and
   // upstream, upstream alone (colours of another node), or for further packets of the same pixels what won last.
-  typedef enum logic [1:0] {ComposeOwn = 2'd0, ComposeCloser = 2'd1, ComposeUpstream = 2'd2, ComposeRepeat = 2'd3} compose_e;
+  typedef enum logic [1:0] {
+    ComposeOwn = 2'd0, ComposeCloser = 2'd1, ComposeUpstream = 2'd2, ComposeRepeat = 2'd3
+  } compose_e;
 
   typedef logic [63:0] count_t;
 

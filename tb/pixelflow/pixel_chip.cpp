@@ -24,8 +24,8 @@ std::unique_ptr<PixelChip> make_pixel_chip(int lanes, int multiplier_bits, const
       default: break;
     }
   }
-  throw std::invalid_argument("no chip of " + std::to_string(lanes) + " elements with " + std::to_string(multiplier_bits) +
-                              " multiplier bits a cycle was verilated");
+  throw std::invalid_argument("no chip of " + std::to_string(lanes) + " elements with " +
+                              std::to_string(multiplier_bits) + " multiplier bits a cycle was verilated");
 }
 
 }  // namespace tb

@@ -1,4 +1,5 @@
-// The verilated chip of pixel processors (rtl/pixelflow/pixel_chip.sv) behind an interface that knows nothing of Verilator.
+// The verilated chip of pixel processors (rtl/pixelflow/pixel_chip.sv) behind an interface that knows nothing of
+// Verilator.
 #pragma once
 
 #include <array>
@@ -30,8 +31,8 @@ enum class ChipRow { Memory, Inbound, Outbound, Column, Row, M, X, E, K, S, Z, C
 /// What the composition port passes on (pixelflow_pkg::compose_e).
 enum class Compose { Own, Closer, Upstream, Repeat };
 
-/// What lies around a chip while it runs. Everything may be left out: the stream is then offered in every cycle, no packets
-/// come, and every packet that goes out is taken.
+/// What lies around a chip while it runs. Everything may be left out: the stream is then offered in every cycle, no
+/// packets come, and every packet that goes out is taken.
 struct ChipSurroundings {
   std::function<bool()> stream_offered;  ///< is the stream's next word offered in this cycle?
   std::function<const Packet*()> load;   ///< the next inbound packet, null for none in this cycle
@@ -40,7 +41,8 @@ struct ChipSurroundings {
   std::function<void()> upstream_taken;
   std::function<bool()> receiver_ready;
   std::function<void(const Packet&)> received;
-  /// After every cycle in which the elements did something: instruction, digit of the multiplier, cycle since the start.
+  /// After every cycle in which the elements did something: instruction, digit of the multiplier, cycle since the
+  /// start.
   std::function<void(const pixelflow::Instruction&, int, std::uint64_t)> executed;
 };
 
@@ -70,9 +72,10 @@ class PixelChip {
   static constexpr std::uint64_t kPatience = 100'000;
 };
 
-/// A chip of the sizes that were verilated: 256 elements with 2 multiplier bits a cycle, or 16 elements with 1, 4 or 8. Throws
-/// std::invalid_argument for others. `trace`: FST file, empty for none.
-std::unique_ptr<PixelChip> make_pixel_chip(int lanes = pixelflow::kElements, int multiplier_bits = pixelflow::kMultiplierBits,
+/// A chip of the sizes that were verilated: 256 elements with 2 multiplier bits a cycle, or 16 elements with 1, 4 or 8.
+/// Throws std::invalid_argument for others. `trace`: FST file, empty for none.
+std::unique_ptr<PixelChip> make_pixel_chip(int lanes = pixelflow::kElements,
+                                           int multiplier_bits = pixelflow::kMultiplierBits,
                                            const std::filesystem::path& trace = {});
 
 }  // namespace tb

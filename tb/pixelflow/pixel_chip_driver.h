@@ -16,7 +16,8 @@ namespace tb {
 template <class Top>
 class PixelChipDriver final : public PixelChip {
  public:
-  explicit PixelChipDriver(int multiplier_bits, const std::filesystem::path& trace = {}) : multiplier_bits_(multiplier_bits) {
+  explicit PixelChipDriver(int multiplier_bits, const std::filesystem::path& trace = {})
+      : multiplier_bits_(multiplier_bits) {
     context_.traceEverOn(!trace.empty());
     top_ = std::make_unique<Top>(&context_);
     if (!trace.empty()) {
@@ -100,7 +101,8 @@ class PixelChipDriver final : public PixelChip {
     top_->start_i = 1;
     tick();
     top_->start_i = 0;
-    const bool alone = !around.load && !around.upstream && !around.receiver_ready && !around.received && !around.executed;
+    const bool alone =
+        !around.load && !around.upstream && !around.receiver_ready && !around.received && !around.executed;
     std::uint64_t idle = 0, clocks = 0;
     for (std::uint64_t cycle = 0; !top_->done_o || top_->sending_o || top_->valid_o; ++cycle) {
       top_->stream_valid_i = next < words_.size() && (!around.stream_offered || around.stream_offered());
@@ -122,8 +124,8 @@ class PixelChipDriver final : public PixelChip {
       }
     }
     top_->stream_valid_i = 0;
-    return {top_->executed_o, top_->stream_waits_o, top_->inbound_waits_o, top_->send_waits_o, top_->instructions_o,
-            clocks};
+    return {top_->executed_o,   top_->stream_waits_o, top_->inbound_waits_o,
+            top_->send_waits_o, top_->instructions_o, clocks};
   }
 
  private:

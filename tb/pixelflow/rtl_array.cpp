@@ -14,8 +14,8 @@ class RtlArray final : public pixelflow::PixelArray {
  public:
   explicit RtlArray(int lanes) : lanes_(lanes) {
     if (lanes <= 0 || lanes % pixelflow::kElements != 0) {
-      throw std::invalid_argument("the array has whole chips of " + std::to_string(pixelflow::kElements) + " elements, not " +
-                                  std::to_string(lanes) + " elements");
+      throw std::invalid_argument("the array has whole chips of " + std::to_string(pixelflow::kElements) +
+                                  " elements, not " + std::to_string(lanes) + " elements");
     }
     for (int chip = 0; chip < lanes / pixelflow::kElements; ++chip) {
       chips_.push_back(make_pixel_chip());
@@ -41,7 +41,8 @@ class RtlArray final : public pixelflow::PixelArray {
   void place(std::span<const std::uint8_t> columns, std::span<const std::uint8_t> rows) override {
     check(columns.size());
     check(rows.size());
-    for (int i = 0; i < lanes_; ++i) chips_[i / pixelflow::kElements]->place(i % pixelflow::kElements, columns[i], rows[i]);
+    for (int i = 0; i < lanes_; ++i)
+      chips_[i / pixelflow::kElements]->place(i % pixelflow::kElements, columns[i], rows[i]);
   }
 
   void run(const pixelflow::Program& program) override {
@@ -51,14 +52,15 @@ class RtlArray final : public pixelflow::PixelArray {
     for (std::size_t c = 1; c < chips_.size(); ++c) {
       const ChipCounters other = chips_[c]->run(stream_);
       if (other.executed != first.executed || other.instructions != first.instructions) {
-        throw std::logic_error("chip " + std::to_string(c) + " counts " + std::to_string(other.executed) + " cycles, chip 0 " +
-                               std::to_string(first.executed));
+        throw std::logic_error("chip " + std::to_string(c) + " counts " + std::to_string(other.executed) +
+                               " cycles, chip 0 " + std::to_string(first.executed));
       }
     }
     // The End that stops the chip is no part of the program.
     counters_.cycles += first.executed - 1;
     counters_.instructions += first.instructions - 1;
-    counters_.element_cycles = counters_.simulated_element_cycles = counters_.cycles * static_cast<std::uint64_t>(lanes_);
+    counters_.element_cycles = counters_.simulated_element_cycles =
+        counters_.cycles * static_cast<std::uint64_t>(lanes_);
   }
 
   pixelflow::Registers registers(int lane) const override {
@@ -66,8 +68,8 @@ class RtlArray final : public pixelflow::PixelArray {
     PixelChip& chip = *chips_[lane / pixelflow::kElements];
     const int i = lane % pixelflow::kElements;
     const auto flag = [&](ChipRow row) { return chip.row(row)[i] != 0; };
-    return {flag(ChipRow::E), flag(ChipRow::K), flag(ChipRow::S), flag(ChipRow::Z), flag(ChipRow::C),
-            chip.row(ChipRow::M)[i], chip.row(ChipRow::X)[i], chip.wide()[i]};
+    return {flag(ChipRow::E), flag(ChipRow::K),        flag(ChipRow::S),        flag(ChipRow::Z),
+            flag(ChipRow::C), chip.row(ChipRow::M)[i], chip.row(ChipRow::X)[i], chip.wide()[i]};
   }
 
   pixelflow::ArrayCounters counters() const override { return counters_; }
@@ -75,7 +77,8 @@ class RtlArray final : public pixelflow::PixelArray {
  private:
   void check(std::size_t size) const {
     if (size != static_cast<std::size_t>(lanes_)) {
-      throw std::invalid_argument("a row of the array has " + std::to_string(lanes_) + " bytes, not " + std::to_string(size));
+      throw std::invalid_argument("a row of the array has " + std::to_string(lanes_) + " bytes, not " +
+                                  std::to_string(size));
     }
   }
 

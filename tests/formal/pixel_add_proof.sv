@@ -1,6 +1,6 @@
-// The 16-bit addition as microcode does it, M := memory[a], M := M + memory[b] + carry, memory[d] := M for each byte, on
-// every content of a memory of 8 bytes: the sum and its carry are right where E is set, no other byte
-// changes, and nothing does where E is clear. PIXEL_SPEC_WRONG plants a mistake.
+// The 16-bit addition as microcode does it, M := memory[a], M := M + memory[b] + carry, memory[d] := M for each byte,
+// on every content of a memory of 8 bytes: the sum and its carry are right where E is set, no other byte changes, and
+// nothing does where E is clear. PIXEL_SPEC_WRONG plants a mistake.
 
 module pixel_add_proof (
   input logic         clk_i,
@@ -57,8 +57,9 @@ module pixel_add_proof (
   pixelflow_pkg::byte_t rdata, wdata;
   logic [52:0] registers;
   pixel_element element (
-    .clk_i, .rst_ni(1'b1), .execute_i(step_q < 3'd7), .instruction_i(instruction), .digit_i('0), .memory_re_o(memory_re),
-    .rdata_i(rdata), .memory_we_o(memory_we), .wdata_o(wdata), .inbound_i('0), .outbound_we_o(outbound_we), .column_i({7'd0, enable_i}),
+    .clk_i, .rst_ni(1'b1), .execute_i(step_q < 3'd7), .instruction_i(instruction), .digit_i('0),
+    .memory_re_o(memory_re), .rdata_i(rdata), .memory_we_o(memory_we), .wdata_o(wdata),
+    .inbound_i('0), .outbound_we_o(outbound_we), .column_i({7'd0, enable_i}),
     .row_i('0), .registers_o(registers)
   );
 

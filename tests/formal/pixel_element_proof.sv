@@ -1,5 +1,5 @@
-// The element beside its specification: for every state, instruction, digit and operand both write the same, and their next
-// states agree.
+// The element beside its specification: for every state, instruction, digit and operand both write the same, and their
+// next states agree.
 
 module pixel_element_proof (
   input logic                         clk_i,

@@ -1,6 +1,6 @@
 // What one instruction does to one element, written from docs/pixel_processor.md alone for the proofs: a table of bit
-// vectors, with the word cut by position and the arithmetic in its textbook form. PIXEL_SPEC_WRONG plants one mistake, so
-// that the tests can show that the proof would find it.
+// vectors, with the word cut by position and the arithmetic in its textbook form. PIXEL_SPEC_WRONG plants one mistake,
+// so that the tests can show that the proof would find it.
 
 module pixel_element_spec #(
   parameter DigitBits  = 2,    // multiplier bits a cycle

@@ -1,5 +1,5 @@
-// Registers are never gated: two elements whose states differ in E alone stay so under instructions that neither read E nor
-// write it. And where E is clear, nothing outside the registers is written but with the gate that is always open.
+// Registers are never gated: two elements whose states differ in E alone stay so under instructions that neither read E
+// nor write it. And where E is clear, nothing outside the registers is written but with the gate that is always open.
 // PIXEL_SPEC_WRONG plants a mistake.
 
 module pixel_gating_proof (
@@ -18,12 +18,14 @@ module pixel_gating_proof (
   pixelflow_pkg::byte_t wdata, other_wdata;
 
   pixel_element element (
-    .clk_i, .rst_ni(1'b1), .execute_i, .instruction_i, .digit_i, .memory_re_o(memory_re), .rdata_i, .memory_we_o(memory_we),
+    .clk_i, .rst_ni(1'b1), .execute_i, .instruction_i, .digit_i, .memory_re_o(memory_re), .rdata_i,
+    .memory_we_o(memory_we),
     .wdata_o(wdata), .inbound_i, .outbound_we_o(outbound_we), .column_i, .row_i, .registers_o(one)
   );
   pixel_element twin (
     .clk_i, .rst_ni(1'b1), .execute_i, .instruction_i, .digit_i, .memory_re_o(other_re), .rdata_i,
-    .memory_we_o(other_memory_we), .wdata_o(other_wdata), .inbound_i, .outbound_we_o(other_outbound_we), .column_i, .row_i,
+    .memory_we_o(other_memory_we), .wdata_o(other_wdata), .inbound_i, .outbound_we_o(other_outbound_we),
+    .column_i, .row_i,
     .registers_o(other)
   );
 

@@ -1,7 +1,7 @@
-// A multiplication digit after digit: with each digit W grows by the partial products of its bits, and the factors stay as
-// they are, so that after the last one W has grown by the product; the top bit counts negative where the multiplier is
-// signed. By the invariant of one digit, for every multiplier, multiplicand, W and pair of signs.
-// PIXEL_SPEC_WRONG plants a mistake.
+// A multiplication digit after digit: with each digit W grows by the partial products of its bits, and the factors stay
+// as they are, so that after the last one W has grown by the product; the top bit counts negative where the multiplier
+// is signed. By the invariant of one digit, for every multiplier, multiplicand, W and pair of signs. PIXEL_SPEC_WRONG
+// plants a mistake.
 
 module pixel_multiply_proof (
   input logic                         clk_i,

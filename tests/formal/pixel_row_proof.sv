@@ -1,5 +1,6 @@
-// The row form with one lane, two bytes of memory and packets of two bytes, beside the element's module: from equal states
-// every instruction and digit leads to equal states, and both write the same bytes. PIXEL_SPEC_WRONG plants a mistake.
+// The row form with one lane, two bytes of memory and packets of two bytes, beside the element's module: from equal
+// states every instruction and digit leads to equal states, and both write the same bytes. PIXEL_SPEC_WRONG plants a
+// mistake.
 
 module pixel_row_proof (
   input logic                         clk_i,
@@ -34,7 +35,8 @@ module pixel_row_proof (
   assign rdata   = (addr == 8'd0) ? bytes_q[7:0] : (addr == 8'd1) ? bytes_q[15:8] : 8'd0;
   assign inbound = imm[0] ? bytes_q[63:56] : bytes_q[55:48];
   pixel_element element (
-    .clk_i, .rst_ni(1'b1), .execute_i(execute_i && known_q), .instruction_i, .digit_i, .memory_re_o(memory_re), .rdata_i(rdata),
+    .clk_i, .rst_ni(1'b1), .execute_i(execute_i && known_q), .instruction_i, .digit_i, .memory_re_o(memory_re),
+    .rdata_i(rdata),
     .memory_we_o(memory_we), .wdata_o(wdata), .inbound_i(inbound), .outbound_we_o(outbound_we),
 `ifdef PIXEL_SPEC_WRONG
     .column_i(bytes_q[47:40]), .row_i(bytes_q[39:32]),

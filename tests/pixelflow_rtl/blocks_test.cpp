@@ -103,7 +103,9 @@ class Composition : public testing::Test {
   const std::vector<Pixel> closer_ = {{5, 1}, {1, 12}, {7, 13}, {0, 4}};
 };
 
-TEST_F(Composition, PassesTheCloserOneAndTiesToUpstream) { EXPECT_EQ(transfer(kCloser, own_, upstream_, false), closer_); }
+TEST_F(Composition, PassesTheCloserOneAndTiesToUpstream) {
+  EXPECT_EQ(transfer(kCloser, own_, upstream_, false), closer_);
+}
 
 TEST_F(Composition, KeepsTheOrderWithGapsInEveryStream) {
   for (int i = 0; i < 50; ++i) ASSERT_EQ(transfer(kCloser, own_, upstream_, true), closer_) << "transfer " << i;
@@ -111,11 +113,14 @@ TEST_F(Composition, KeepsTheOrderWithGapsInEveryStream) {
 
 TEST_F(Composition, TheFirstNodeHasNoUpstream) { EXPECT_EQ(transfer(kOwn, own_, {}, true), own_); }
 
-TEST_F(Composition, ColoursOfOthersPassWithoutCompositing) { EXPECT_EQ(transfer(kUpstream, {}, upstream_, true), upstream_); }
+TEST_F(Composition, ColoursOfOthersPassWithoutCompositing) {
+  EXPECT_EQ(transfer(kUpstream, {}, upstream_, true), upstream_);
+}
 
 TEST_F(Composition, FurtherPacketsFollowTheFirst) {
   transfer(kCloser, own_, upstream_, true);
-  const std::vector<Pixel> more = {{9, 21}, {9, 22}, {9, 23}, {9, 24}}, more_upstream = {{1, 31}, {1, 32}, {1, 33}, {1, 34}};
+  const std::vector<Pixel> more = {{9, 21}, {9, 22}, {9, 23}, {9, 24}},
+                           more_upstream = {{1, 31}, {1, 32}, {1, 33}, {1, 34}};
   EXPECT_EQ(transfer(kRepeat, more, more_upstream, true), (std::vector<Pixel>{{9, 21}, {1, 32}, {1, 33}, {9, 24}}));
 }
 
@@ -237,8 +242,10 @@ class Sequencer : public testing::Test {
     return {.kind = pixelflow::Kind::Control, .fn = static_cast<std::uint8_t>(what)};
   }
   static I multiply(pixelflow::P p, int imm) {
-    return {.kind = pixelflow::Kind::Wide, .fn = static_cast<std::uint8_t>(pixelflow::Wide::Multiply),
-            .p = static_cast<std::uint8_t>(p), .imm = static_cast<std::uint8_t>(imm)};
+    return {.kind = pixelflow::Kind::Wide,
+            .fn = static_cast<std::uint8_t>(pixelflow::Wide::Multiply),
+            .p = static_cast<std::uint8_t>(p),
+            .imm = static_cast<std::uint8_t>(imm)};
   }
 
   Block<Vinstruction_sequencer> block_;

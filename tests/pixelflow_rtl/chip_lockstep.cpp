@@ -24,7 +24,9 @@ std::uint32_t depth(const Packet& packet) {
   return value;
 }
 
-bool is(const Instruction& i, Control what) { return i.kind == Kind::Control && i.fn == static_cast<std::uint8_t>(what); }
+bool is(const Instruction& i, Control what) {
+  return i.kind == Kind::Control && i.fn == static_cast<std::uint8_t>(what);
+}
 
 std::string values(unsigned rtl, unsigned model) {
   return ": RTL " + std::to_string(rtl) + ", model " + std::to_string(model);
@@ -105,7 +107,8 @@ class ChipLockstep::Ports {
     if (upstream_.size() < own_.size() && random_() % 4 != 0) {
       const Packet& own = own_[upstream_.size()];
       std::copy_n(own.begin(), pixelflow::kDepthBytes, packet.begin());
-      if (random_() % 2 == 0) packet[random_() % pixelflow::kDepthBytes] ^= static_cast<std::uint8_t>(1u << random_() % 8);
+      if (random_() % 2 == 0)
+        packet[random_() % pixelflow::kDepthBytes] ^= static_cast<std::uint8_t>(1u << random_() % 8);
     }
     return packet;
   }
@@ -121,8 +124,8 @@ class ChipLockstep::Ports {
     }
     for (int b = 0; b < pixelflow::kPacketBytes; ++b) {
       if (packet[b] != expected[b]) {
-        throw Mismatch(lockstep_.place() + ": packet " + std::to_string(lockstep_.packets_) + " of the composition port, byte " +
-                       std::to_string(b) + values(packet[b], expected[b]));
+        throw Mismatch(lockstep_.place() + ": packet " + std::to_string(lockstep_.packets_) +
+                       " of the composition port, byte " + std::to_string(b) + values(packet[b], expected[b]));
       }
     }
     ++lockstep_.packets_;
@@ -155,8 +158,13 @@ void ChipLockstep::randomise(std::mt19937_64& random) {
   fill(golden_.rows(), ChipRow::Row, 0);
   for (int lane = 0; lane < chip_.lanes(); ++lane) {
     const std::uint64_t bits = random(), more = random();
-    pixelflow::Registers r{(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, (bits & 8) != 0, (bits & 16) != 0,
-                           static_cast<std::uint8_t>(bits >> 8), static_cast<std::uint8_t>(bits >> 16),
+    pixelflow::Registers r{(bits & 1) != 0,
+                           (bits & 2) != 0,
+                           (bits & 4) != 0,
+                           (bits & 8) != 0,
+                           (bits & 16) != 0,
+                           static_cast<std::uint8_t>(bits >> 8),
+                           static_cast<std::uint8_t>(bits >> 16),
                            static_cast<std::uint32_t>(more)};
     if ((bits >> 32 & 3) == 0) r.w >>= more >> 32 & 31;  // leading zeros, for the normalising shift
     if ((bits >> 34 & 3) == 0) r.x &= 15;
@@ -207,11 +215,13 @@ void ChipLockstep::run(std::uint64_t seed, const LockstepOptions& options) {
   std::uint64_t expected = 0;
   for (const Instruction& i : stream_) expected += pixelflow::cycles(i, chip_.multiplier_bits());
   const auto count = [&end](const char* name, std::uint64_t rtl, std::uint64_t model) {
-    if (rtl != model) throw Mismatch(end + ", counter " + name + ": RTL " + std::to_string(rtl) + ", model " + std::to_string(model));
+    if (rtl != model)
+      throw Mismatch(end + ", counter " + name + ": RTL " + std::to_string(rtl) + ", model " + std::to_string(model));
   };
   count("executed", counters.executed, expected);
   count("instructions", counters.instructions, stream_.size());
-  count("clocks", counters.executed + counters.stream_waits + counters.inbound_waits + counters.send_waits, counters.clocks);
+  count("clocks", counters.executed + counters.stream_waits + counters.inbound_waits + counters.send_waits,
+        counters.clocks);
   instructions_ += stream_.size();
   cycles_ += expected;
 }
@@ -221,14 +231,17 @@ std::string ChipLockstep::place() const {
   return "cycle " + std::to_string(cycle_) + ", instruction " + std::to_string(at_) + " (" + text(stream_[at_]) + ")";
 }
 
-void ChipLockstep::after_cycle(const Instruction& instruction, int digit, std::uint64_t cycle, bool compare, Ports* ports) {
+void ChipLockstep::after_cycle(const Instruction& instruction, int digit, std::uint64_t cycle, bool compare,
+                               Ports* ports) {
   cycle_ = cycle;
   if (at_ == stream_.size()) throw Mismatch(place() + ": the chip executes " + text(instruction));
   if (!(instruction == stream_[at_])) throw Mismatch(place() + ": the chip executes " + text(instruction));
-  const bool multiplies = instruction.kind == Kind::Wide && instruction.fn == static_cast<std::uint8_t>(pixelflow::Wide::Multiply);
+  const bool multiplies =
+      instruction.kind == Kind::Wide && instruction.fn == static_cast<std::uint8_t>(pixelflow::Wide::Multiply);
   if (multiplies) {
     const int expected = std::countr_zero(pending_);
-    if (digit != expected) throw Mismatch(place() + ", digit" + values(static_cast<unsigned>(digit), static_cast<unsigned>(expected)));
+    if (digit != expected)
+      throw Mismatch(place() + ", digit" + values(static_cast<unsigned>(digit), static_cast<unsigned>(expected)));
     pending_ &= pending_ - 1;
     if (pending_ != 0) return;
   }
@@ -259,7 +272,8 @@ void ChipLockstep::compare_registers(const std::string& where) {
   const auto w = chip_.wide();
   for (int lane = 0; lane < chip_.lanes(); ++lane) {
     const pixelflow::Registers r = golden_.registers(lane);
-    const pixelflow::Registers rtl{e[lane] != 0, k[lane] != 0, s[lane] != 0, z[lane] != 0, c[lane] != 0, m[lane], x[lane], w[lane]};
+    const pixelflow::Registers rtl{e[lane] != 0, k[lane] != 0, s[lane] != 0, z[lane] != 0,
+                                   c[lane] != 0, m[lane],      x[lane],      w[lane]};
     if (rtl == r) continue;
     check(lane, "E", rtl.e, r.e);
     check(lane, "K", rtl.k, r.k);
@@ -272,7 +286,8 @@ void ChipLockstep::compare_registers(const std::string& where) {
   }
 }
 
-void ChipLockstep::compare_row(ChipRow row, int index, const char* name, const std::uint8_t* expected, const std::string& where) {
+void ChipLockstep::compare_row(ChipRow row, int index, const char* name, const std::uint8_t* expected,
+                               const std::string& where) {
   const auto rtl = chip_.row(row, index);
   const auto differs = std::mismatch(rtl.begin(), rtl.end(), expected);
   if (differs.first == rtl.end()) return;
@@ -283,7 +298,8 @@ void ChipLockstep::compare_row(ChipRow row, int index, const char* name, const s
 
 void ChipLockstep::compare_rows(const std::string& where) {
   for (int a = 0; a < pixelflow::kMemoryBytes; ++a) compare_row(ChipRow::Memory, a, "memory", golden_.memory(a), where);
-  for (int b = 0; b < pixelflow::kPacketBytes; ++b) compare_row(ChipRow::Outbound, b, "outbound packet", golden_.outbound(b), where);
+  for (int b = 0; b < pixelflow::kPacketBytes; ++b)
+    compare_row(ChipRow::Outbound, b, "outbound packet", golden_.outbound(b), where);
 }
 
 }  // namespace pixelflow_tests

@@ -35,7 +35,7 @@ class ChipLockstep {
 
   std::uint64_t instructions() const { return instructions_; }  ///< compared so far, in all lanes
   std::uint64_t cycles() const { return cycles_; }
-  std::uint64_t packets() const { return packets_; }             ///< compared at the composition port
+  std::uint64_t packets() const { return packets_; }  ///< compared at the composition port
 
  private:
   class Ports;
@@ -46,14 +46,15 @@ class ChipLockstep {
   void step(const pixelflow::Instruction& instruction, Ports* ports);
   void compare_registers(const std::string& where);
   void compare_rows(const std::string& where);
-  void compare_row(tb::ChipRow row, int index, const char* name, const std::uint8_t* expected, const std::string& where);
+  void compare_row(tb::ChipRow row, int index, const char* name, const std::uint8_t* expected,
+                   const std::string& where);
   std::string place() const;
 
   tb::PixelChip& chip_;
   pixelflow::PixelRow golden_;
   std::vector<pixelflow::Instruction> stream_;
-  std::size_t at_ = 0;      ///< the instruction that is executed
-  unsigned pending_ = 0;    ///< its digits that are still to come
+  std::size_t at_ = 0;    ///< the instruction that is executed
+  unsigned pending_ = 0;  ///< its digits that are still to come
   std::uint64_t cycle_ = 0;
   std::uint64_t instructions_ = 0, cycles_ = 0, packets_ = 0;
 };

@@ -8,8 +8,8 @@ namespace {
 
 using Names = std::span<const char* const>;
 
-constexpr std::array kAlu = {"Add", "Sub", "ReverseSub", "AddSub", "AddIf", "NegateIf", "And",
-                             "Or", "Xor", "AndNot", "Select", "ShiftLeft", "ShiftRight"};
+constexpr std::array kAlu = {"Add", "Sub", "ReverseSub", "AddSub", "AddIf",     "NegateIf",  "And",
+                             "Or",  "Xor", "AndNot",     "Select", "ShiftLeft", "ShiftRight"};
 constexpr std::array kWide = {"Clear", "Multiply", "ShiftRight", "ShiftLeft", "Divide"};
 constexpr std::array kBit = {"One", "C", "Z", "S", "K", "E", "OfP", "OfQ", "WideZero"};
 constexpr std::array kControl = {"Nop", "End", "WaitInbound", "FreeInbound", "Send"};
@@ -33,7 +33,9 @@ std::string text(const pixelflow::Instruction& i) {
   using pixelflow::Kind;
   const bool shift = i.kind == Kind::Wide && (i.fn == 2 || i.fn == 3);
   std::string out;
-  const auto add = [&out](const char* field, const std::string& value) { out += std::string(" ") + field + "=" + value; };
+  const auto add = [&out](const char* field, const std::string& value) {
+    out += std::string(" ") + field + "=" + value;
+  };
   switch (i.kind) {
     case Kind::Alu: out = "Alu " + name(kAlu, i.fn); break;
     case Kind::Wide: out = "Wide " + name(kWide, i.fn); break;

@@ -1,5 +1,5 @@
-// A lane of the row form against the element's own module with its own memory: the same instructions in the same cycles,
-// all registers compared in every one of them. And the places of a chip's elements.
+// A lane of the row form against the element's own module with its own memory: the same instructions in the same
+// cycles, all registers compared in every one of them. And the places of a chip's elements.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -32,7 +32,8 @@ class Lane {
     tick();
     m.rst_ni = 1;
     auto& root = *m.rootp;
-    for (int a = 0; a < pixelflow::kMemoryBytes; ++a) root.pixel_processor__DOT__memory__DOT__bytes_mem[a] = byte(ChipRow::Memory, a);
+    for (int a = 0; a < pixelflow::kMemoryBytes; ++a)
+      root.pixel_processor__DOT__memory__DOT__bytes_mem[a] = byte(ChipRow::Memory, a);
     for (int b = 0; b < pixelflow::kPacketBytes; ++b) outbound_[b] = byte(ChipRow::Outbound, b);
     root.pixel_processor__DOT__element__DOT__e_q = byte(ChipRow::E);
     root.pixel_processor__DOT__element__DOT__k_q = byte(ChipRow::K);
@@ -63,8 +64,9 @@ class Lane {
   std::string difference() {
     const auto& root = *module().rootp;
     const auto check = [](const char* name, unsigned module, unsigned row) {
-      return module == row ? std::string()
-                           : std::string(name) + ": module " + std::to_string(module) + ", row " + std::to_string(row) + "; ";
+      return module == row
+                 ? std::string()
+                 : std::string(name) + ": module " + std::to_string(module) + ", row " + std::to_string(row) + "; ";
     };
     return check("E", root.pixel_processor__DOT__element__DOT__e_q, byte(ChipRow::E)) +
            check("K", root.pixel_processor__DOT__element__DOT__k_q, byte(ChipRow::K)) +
@@ -78,9 +80,11 @@ class Lane {
 
   void compare_memory() {
     for (int a = 0; a < pixelflow::kMemoryBytes; ++a) {
-      ASSERT_EQ(module().rootp->pixel_processor__DOT__memory__DOT__bytes_mem[a], byte(ChipRow::Memory, a)) << "address " << a;
+      ASSERT_EQ(module().rootp->pixel_processor__DOT__memory__DOT__bytes_mem[a], byte(ChipRow::Memory, a))
+          << "address " << a;
     }
-    for (int b = 0; b < pixelflow::kPacketBytes; ++b) ASSERT_EQ(outbound_[b], byte(ChipRow::Outbound, b)) << "packet byte " << b;
+    for (int b = 0; b < pixelflow::kPacketBytes; ++b)
+      ASSERT_EQ(outbound_[b], byte(ChipRow::Outbound, b)) << "packet byte " << b;
   }
 
  private:
@@ -154,8 +158,10 @@ TEST(PixelChip, ElementsStandWhereTheChipsNumberPutsThem) {
     chip->reset(number);
     for (int lane = 0; lane < pixelflow::kElements; ++lane) {
       const int sample = number * pixelflow::kElements + lane;
-      ASSERT_EQ(chip->row(ChipRow::Column)[lane], sample % pixelflow::kRegionWidth) << "chip " << number << ", lane " << lane;
-      ASSERT_EQ(chip->row(ChipRow::Row)[lane], sample / pixelflow::kRegionWidth) << "chip " << number << ", lane " << lane;
+      ASSERT_EQ(chip->row(ChipRow::Column)[lane], sample % pixelflow::kRegionWidth)
+          << "chip " << number << ", lane " << lane;
+      ASSERT_EQ(chip->row(ChipRow::Row)[lane], sample / pixelflow::kRegionWidth)
+          << "chip " << number << ", lane " << lane;
     }
   }
   chip->place(200, 17, 63);
@@ -167,7 +173,8 @@ TEST(PixelChip, ElementsStandWhereTheChipsNumberPutsThem) {
 TEST(PixelChip, StreamsHaveOneEndAtTheirEnd) {
   const auto chip = tb::make_pixel_chip();
   const pixelflow::Instruction nop{.kind = pixelflow::Kind::Control};
-  const pixelflow::Instruction end{.kind = pixelflow::Kind::Control, .fn = static_cast<std::uint8_t>(pixelflow::Control::End)};
+  const pixelflow::Instruction end{.kind = pixelflow::Kind::Control,
+                                   .fn = static_cast<std::uint8_t>(pixelflow::Control::End)};
   EXPECT_THROW(chip->run(std::vector{nop}), std::invalid_argument);
   EXPECT_THROW(chip->run(std::vector{end, nop}), std::invalid_argument);
   EXPECT_THROW(chip->run(std::vector<pixelflow::Instruction>{}), std::invalid_argument);
@@ -184,8 +191,11 @@ TEST(PixelChip, ProductsOfAllPairsOfBytes) {
     for (int factor = 0; factor < 256; ++factor) {
       std::ranges::fill(chip->wide(), 0x01FFFE80u);
       const std::vector<pixelflow::Instruction> stream = {
-          {.kind = pixelflow::Kind::Wide, .fn = static_cast<std::uint8_t>(pixelflow::Wide::Multiply),
-           .p = static_cast<std::uint8_t>(pixelflow::P::Immediate), .set_c = (signs & 1) != 0, .set_s = (signs & 2) != 0,
+          {.kind = pixelflow::Kind::Wide,
+           .fn = static_cast<std::uint8_t>(pixelflow::Wide::Multiply),
+           .p = static_cast<std::uint8_t>(pixelflow::P::Immediate),
+           .set_c = (signs & 1) != 0,
+           .set_s = (signs & 2) != 0,
            .imm = static_cast<std::uint8_t>(factor)},
           {.kind = pixelflow::Kind::Control, .fn = static_cast<std::uint8_t>(pixelflow::Control::End)}};
       const auto counters = chip->run(stream);

@@ -13,7 +13,9 @@ int main(int argc, char** argv) {
   CLI::App app{"Random programs through the RTL of a chip of pixel processors and the golden elements"};
   app.add_option("--programs", programs, "how many programs")->capture_default_str();
   app.add_option("--seed", seed, "seed of the first program; the next ones count up")->capture_default_str();
-  app.add_option("--length", options.length, "instructions of a program")->capture_default_str()->check(CLI::Range(1, 1'000'000));
+  app.add_option("--length", options.length, "instructions of a program")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1'000'000));
   app.add_option("--elements", elements, "elements of the chip: 256 or 16")->capture_default_str();
   app.add_option("--multiplier-bits", bits, "2 with 256 elements; 1, 4 or 8 with 16")->capture_default_str();
   app.add_flag("--every", options.every, "compare after every instruction, not only after the last");
@@ -41,17 +43,20 @@ int main(int argc, char** argv) {
             std::printf("first at %s\n", first.what());
           }
         }
-        std::printf("  replay: vsg_pixel_lockstep --seed %llu --programs 1 --every --length %d --elements %d --multiplier-bits "
-                    "%d%s --trace mismatch.fst\n", static_cast<unsigned long long>(s), options.length, elements, bits,
-                    options.ports ? " --ports" : "");
+        std::printf(
+            "  replay: vsg_pixel_lockstep --seed %llu --programs 1 --every --length %d --elements %d --multiplier-bits "
+            "%d%s --trace mismatch.fst\n",
+            static_cast<unsigned long long>(s), options.length, elements, bits, options.ports ? " --ports" : "");
         return 2;
       }
     }
-    std::printf("%d programs, %llu instructions, %llu cycles, %llu element-instructions and %llu packets matched, no mismatch\n",
-                programs, static_cast<unsigned long long>(lockstep.instructions()),
-                static_cast<unsigned long long>(lockstep.cycles()),
-                static_cast<unsigned long long>(lockstep.instructions() * static_cast<std::uint64_t>(elements)),
-                static_cast<unsigned long long>(lockstep.packets()));
+    std::printf(
+        "%d programs, %llu instructions, %llu cycles, %llu element-instructions and %llu packets matched, no "
+        "mismatch\n",
+        programs, static_cast<unsigned long long>(lockstep.instructions()),
+        static_cast<unsigned long long>(lockstep.cycles()),
+        static_cast<unsigned long long>(lockstep.instructions() * static_cast<std::uint64_t>(elements)),
+        static_cast<unsigned long long>(lockstep.packets()));
     return lockstep.instructions() > 0 ? 0 : 2;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "error: %s\n", error.what());

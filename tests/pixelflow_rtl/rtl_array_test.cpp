@@ -54,7 +54,8 @@ TEST(RtlArray, IsTheGoldenArray) {
       ASSERT_EQ(row, expected) << replay(seed) << ", program " << program << ", address " << a;
     }
     for (int lane = 0; lane < kLanes; ++lane) {
-      ASSERT_TRUE(rtl->registers(lane) == golden->registers(lane)) << replay(seed) << ", program " << program << ", lane " << lane;
+      ASSERT_TRUE(rtl->registers(lane) == golden->registers(lane))
+          << replay(seed) << ", program " << program << ", lane " << lane;
     }
     ASSERT_EQ(rtl->counters().cycles, golden->counters().cycles) << replay(seed);
     ASSERT_EQ(rtl->counters().instructions, golden->counters().instructions) << replay(seed);
