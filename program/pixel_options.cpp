@@ -17,11 +17,24 @@ void add_pixel_options(CLI::App& command, PixelOptions& options) {
       ->capture_default_str()
       ->type_name("macro|model|rtl")
       ->group("Machine");
+  command
+      .add_option("--multiplier-bits", options.multiplier_bits,
+                  "Bits of a multiplier that an element works off in a cycle (golden model; the RTL has its own)")
+      ->check(CLI::IsMember({1, 2, 4, 8}).description(""))
+      ->capture_default_str()
+      ->type_name("1|2|4|8")
+      ->group("Machine");
 }
 
 std::unique_ptr<pixelflow::PixelArray> make_array(const PixelOptions& options, int lanes) {
-  if (options.level == "macro") return pixelflow::make_golden_array(pixelflow::Level::Macro, lanes);
-  if (options.level == "model") return pixelflow::make_golden_array(pixelflow::Level::Model, lanes);
+  if (options.level == "macro")
+    return pixelflow::make_golden_array(pixelflow::Level::Macro, lanes, options.multiplier_bits);
+  if (options.level == "model")
+    return pixelflow::make_golden_array(pixelflow::Level::Model, lanes, options.multiplier_bits);
+  if (options.multiplier_bits != pixelflow::kMultiplierBits) {
+    refuse("--multiplier-bits: the RTL was built with " + std::to_string(pixelflow::kMultiplierBits) +
+           " bits; another number needs --pe model or macro");
+  }
 #ifdef VSG_HAVE_RTL
   return tb::make_rtl_array(lanes);
 #else

@@ -11,6 +11,7 @@ namespace program {
 
 struct PixelOptions {
   std::string level;  ///< "rtl", "model" or "macro"
+  int multiplier_bits = pixelflow::kMultiplierBits;
 };
 
 /// Adds --pe; a program without RTL has the model as its default.

@@ -36,7 +36,10 @@ void check_address(int address) {
 GoldenArray::GoldenArray(Level level, int lanes, int multiplier_bits)
     : level_(level), lanes_(lanes), multiplier_bits_(multiplier_bits) {
   if (level == Level::Rtl) throw std::invalid_argument("the golden model has the levels model and macro");
-  if (lanes < 1) throw std::invalid_argument("an array has at least one element, not " + std::to_string(lanes));
+  if (lanes < 1 || lanes > kRegionWidth * kRegionHeight) {
+    throw std::invalid_argument("an array has 1 to " + std::to_string(kRegionWidth * kRegionHeight) +
+                                " elements, not " + std::to_string(lanes));
+  }
   if (multiplier_bits != 1 && multiplier_bits != 2 && multiplier_bits != 4 && multiplier_bits != 8) {
     throw std::invalid_argument("a digit of the multiplier has 1, 2, 4 or 8 bits, not " +
                                 std::to_string(multiplier_bits));
@@ -46,7 +49,7 @@ GoldenArray::GoldenArray(Level level, int lanes, int multiplier_bits)
     PixelRow& tile = tiles_.emplace_back(std::min(PixelRow::kLanes, lanes - first));
     for (int n = 0; n < tile.lanes(); ++n) {
       tile.columns()[n] = static_cast<std::uint8_t>((first + n) % kRegionWidth);
-      tile.rows()[n] = static_cast<std::uint8_t>((first + n) / kRegionWidth % kRegionHeight);
+      tile.rows()[n] = static_cast<std::uint8_t>((first + n) / kRegionWidth);
     }
   }
 }

@@ -42,7 +42,8 @@ class PixelArray {
   virtual ArrayCounters counters() const = 0;
 };
 
-/// The golden model. Throws std::invalid_argument for Level::Rtl, which lives with the verilated machine.
+/// The golden model, of 1 to as many elements as a region has. Throws std::invalid_argument for other numbers, and for
+/// Level::Rtl, which lives with the verilated machine.
 std::unique_ptr<PixelArray> make_golden_array(Level level, int lanes, int multiplier_bits = kMultiplierBits);
 
 }  // namespace pixelflow

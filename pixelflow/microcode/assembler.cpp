@@ -53,16 +53,14 @@ void Assembler::multiply_constant(int factor, int address, bool signed_factor, b
                         .imm = static_cast<std::uint8_t>(factor)});
 }
 
-void Assembler::multiply_m(bool signed_x, bool signed_m) {
-  wide(Wide::Multiply, {.p = number(P::X), .q = number(Q::M), .set_c = signed_x, .set_s = signed_m});
+void Assembler::multiply_m_constant(int factor) {
+  if (factor == 0) return;
+  wide(Wide::Multiply, {.p = number(P::Immediate), .q = number(Q::M), .imm = static_cast<std::uint8_t>(factor)});
 }
 
-void Assembler::multiply_immediate(int value, bool signed_x, bool signed_value) {
-  wide(Wide::Multiply, {.p = number(P::X),
-                        .q = number(Q::Immediate),
-                        .set_c = signed_x,
-                        .set_s = signed_value,
-                        .imm = static_cast<std::uint8_t>(value)});
+void Assembler::multiply_x_constant(int factor) {
+  if (factor == 0) return;
+  wide(Wide::Multiply, {.p = number(P::X), .q = number(Q::Immediate), .imm = static_cast<std::uint8_t>(factor)});
 }
 
 void Assembler::shift_right(int log_distance, Fill fill, When when, int x_bit) {

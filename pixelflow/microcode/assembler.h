@@ -52,8 +52,8 @@ class Assembler {
   /// W := W + X * memory[address], and with a uniform factor in X's place.
   void multiply(int address, bool signed_x = false, bool signed_memory = false);
   void multiply_constant(int factor, int address, bool signed_factor = false, bool signed_memory = false);
-  void multiply_m(bool signed_x = false, bool signed_m = false);                         ///< W := W + X * M
-  void multiply_immediate(int value, bool signed_x = false, bool signed_value = false);  ///< W := W + X * value
+  void multiply_m_constant(int factor);  ///< W := W + factor * M; nothing for a factor of 0
+  void multiply_x_constant(int factor);  ///< W := W + X * factor; nothing for a factor of 0
   void shift_right(int log_distance, Fill fill = Fill::Zero, When when = When::Always, int x_bit = 0);
   void shift_left(int log_distance, When when = When::Always, int x_bit = 0);
   void divide(bool take_quotient, bool shift_in, int bytes);

@@ -84,7 +84,8 @@ const Entry& entry(Code code) {
     set(Code::Pow, "pow", Shape::FloatBinary, write_power, power_workspace);
     return e;
   }();
-  return entries[static_cast<std::size_t>(code)];
+  static const Entry unknown{};
+  return code < Code::Count ? entries[static_cast<std::size_t>(code)] : unknown;
 }
 
 [[noreturn]] void refuse(const Operation& o, const std::string& what) {
@@ -174,6 +175,25 @@ void check(const Operation& o) {
 }
 
 }  // namespace
+
+void append_plane(Program& program, int d, int bytes, std::int64_t a, std::int64_t b, std::int64_t c) {
+  if (bytes < 1 || bytes > 8 || d < 0 || d + bytes > kMemoryBytes) {
+    throw std::invalid_argument("plane: a number of " + std::to_string(bytes) + " bytes does not fit at " +
+                                std::to_string(d));
+  }
+  append_instructions(program, [&](Assembler& code) {
+    code.clear_w();
+    code.alu(Alu::Or, To::M, P::Zero, Q::Port, {.imm = kPortX});
+    code.alu(Alu::Or, To::X, P::Zero, Q::Port, {.imm = kPortY});
+    const auto byte = [](std::int64_t value, int n) { return static_cast<int>(value >> (8 * n) & 0xFF); };
+    for (int n = 0; n < bytes; ++n) {
+      code.multiply_m_constant(byte(a, n));
+      code.multiply_x_constant(byte(b, n));
+      code.alu(Alu::Add, To::Memory, P::W, Q::Immediate,
+               {.addr = d + n, .imm = byte(c, n), .cin = n ? Carry::C : Carry::Zero, .c = true, .down = true});
+    }
+  });
+}
 
 const char* name(Code code) {
   const char* text = entry(code).name;

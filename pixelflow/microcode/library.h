@@ -22,6 +22,10 @@ void append_instructions(Program& program, Writer&& write) {
   program.steps.push_back({{}, first, static_cast<std::uint32_t>(program.instructions.size()) - first, 0});
 }
 
+/// Appends d := a x + b y + c modulo 2^(8 bytes), of the elements' own column x and row y: a plane in screen space. All
+/// are two's complement. Throws std::invalid_argument for a place that leaves the memory.
+void append_plane(Program& program, int d, int bytes, std::int64_t a, std::int64_t b, std::int64_t c);
+
 /// Bytes that the operation needs from operation.work on.
 int workspace_bytes(const Operation& operation);
 

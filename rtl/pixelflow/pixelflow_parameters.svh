@@ -1,6 +1,6 @@
 // The one home of every size of the pixel processors. The RTL includes this file, and the C++ golden model, the microcode,
-// the drivers and the tests take the same values from a header that the build makes of it. A value is changed here, or on
-// the command line of the tool (-DPIXELFLOW_MULTIPLIER_BITS=8).
+// the drivers and the tests take the same values from a header that the build makes of it. A value is changed here. On the
+// command line of a tool (-DPIXELFLOW_MULTIPLIER_BITS=8) it changes for that one run alone: lint, synthesis, a chip of a test.
 
 `ifndef PIXELFLOW_PARAMETERS_SVH
 `define PIXELFLOW_PARAMETERS_SVH

@@ -1,10 +1,14 @@
 // What the library refuses, and what it tells of itself.
+#include "pixelflow/microcode/library.h"
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
 #include <stdexcept>
 #include <string>
 
-#include "pixelflow/microcode/library.h"
+#include "tests/microcode/machine.h"
 
 using namespace pixelflow;
 
@@ -73,9 +77,41 @@ TEST(Library, RefusesSizesAndScalesThatItDoesNotKnow) {
   o.code = Code::ShiftRight;
   o.scale = 65;
   EXPECT_NE(refusal(o).find("0 to 64"), std::string::npos);
+  for (const int code : {static_cast<int>(Code::Count), 255}) {
+    o = add(20, 30, 40);
+    o.code = static_cast<Code>(code);
+    EXPECT_NE(refusal(o).find("has no microcode"), std::string::npos);
+    EXPECT_EQ(workspace_bytes(o), 0);
+  }
   o = add(20, 30, 40);
   o.a.uniform = o.b.uniform = true;
   EXPECT_NE(refusal(o).find("both operands are uniform"), std::string::npos);
+}
+
+TEST(Library, APlaneIsLinearInTheElementsPlace) {
+  std::mt19937_64 random(pixelflow_test::seed());
+  int most = 0;
+  for (int round = 0; round < 2000; ++round) {
+    const int bytes = 1 + static_cast<int>(random() % 8);
+    const auto a = static_cast<std::int64_t>(pixelflow_test::hard_number(random, 64));
+    const auto b = static_cast<std::int64_t>(pixelflow_test::hard_number(random, 64));
+    const auto c = static_cast<std::int64_t>(pixelflow_test::hard_number(random, 64));
+    Program program;
+    append_plane(program, 20, bytes, a, b, c);
+    if (bytes == 4) most = std::max(most, static_cast<int>(program.cycles(2)));
+    pixelflow_test::Machine machine;
+    machine.element.x_position = static_cast<std::uint8_t>(random() % kRegionWidth);
+    machine.element.y_position = static_cast<std::uint8_t>(random() % kRegionHeight);
+    machine.run(program);
+    const std::uint64_t want = static_cast<std::uint64_t>(a) * machine.element.x_position +
+                               static_cast<std::uint64_t>(b) * machine.element.y_position +
+                               static_cast<std::uint64_t>(c);
+    ASSERT_EQ(machine.get(20, bytes), bytes == 8 ? want : want & ((1ull << (8 * bytes)) - 1))
+        << a << " " << b << " " << c;
+  }
+  EXPECT_EQ(most, 39);  // of 32 bits: clear, the place, eight products of four digits, four stores
+  Program program;
+  EXPECT_THROW(append_plane(program, 253, 4, 1, 1, 1), std::invalid_argument);
 }
 
 TEST(Library, StepsCoverTheInstructions) {
