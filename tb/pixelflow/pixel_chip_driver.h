@@ -5,6 +5,7 @@
 #include <verilated_fst_c.h>
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -83,7 +84,7 @@ class PixelChipDriver final : public PixelChip {
     const auto is_end = [](const pixelflow::Instruction& i) {
       return i.kind == pixelflow::Kind::Control && i.fn == static_cast<std::uint8_t>(pixelflow::Control::End);
     };
-    if (std::find_if(stream.begin(), stream.end(), is_end) + 1 != stream.end()) {
+    if (stream.empty() || std::find_if(stream.begin(), stream.end(), is_end) != std::prev(stream.end())) {
       throw std::invalid_argument("a stream has one End, its last instruction");
     }
     words_.resize(stream.size());
@@ -112,12 +113,14 @@ class PixelChipDriver final : public PixelChip {
       }
       const std::uint64_t before = top_->executed_o;
       clocks += !top_->done_o;
+      bool moved = false;  // a packet came in or left
       if (alone) {
+        moved = top_->valid_o && top_->ready_i;
         tick();
       } else {
-        tick_among(around, cycle);
+        moved = tick_among(around, cycle);
       }
-      idle = top_->executed_o != before || top_->sending_o ? 0 : idle + 1;
+      idle = moved || top_->executed_o != before ? 0 : idle + 1;
       if (idle > kPatience) {
         throw std::runtime_error("the chip waits in vain: cycle " + std::to_string(cycle) + ", " +
                                  std::to_string(top_->instructions_o) + " instructions done");
@@ -148,8 +151,9 @@ class PixelChipDriver final : public PixelChip {
     }
   }
 
-  /// A cycle with streams around: what is offered is set, then the answers are read before the clock edge.
-  void tick_among(const ChipSurroundings& around, std::uint64_t cycle) {
+  /// A cycle with streams around: what is offered is set, then the answers are read before the clock edge. True where a
+  /// packet came in or left.
+  bool tick_among(const ChipSurroundings& around, std::uint64_t cycle) {
     const Packet* load = around.load ? around.load() : nullptr;
     const Packet* upstream = around.upstream ? around.upstream() : nullptr;
     if (load) put(top_->load_packet_i, *load);
@@ -175,6 +179,7 @@ class PixelChipDriver final : public PixelChip {
     if (taken && around.upstream_taken) around.upstream_taken();
     if (sent && around.received) around.received(packet);
     if (executed && around.executed) around.executed(pixelflow::unpack(word), digit, cycle);
+    return loaded || taken || sent;
   }
 
   template <class Rows>

@@ -13,9 +13,10 @@ namespace {
 class RtlArray final : public pixelflow::PixelArray {
  public:
   explicit RtlArray(int lanes) : lanes_(lanes) {
-    if (lanes <= 0 || lanes % pixelflow::kElements != 0) {
+    constexpr int kMost = pixelflow::kRegionWidth * pixelflow::kRegionHeight;
+    if (lanes <= 0 || lanes > kMost || lanes % pixelflow::kElements != 0) {
       throw std::invalid_argument("the array has whole chips of " + std::to_string(pixelflow::kElements) +
-                                  " elements, not " + std::to_string(lanes) + " elements");
+                                  " elements, up to " + std::to_string(kMost) + ", not " + std::to_string(lanes));
     }
     for (int chip = 0; chip < lanes / pixelflow::kElements; ++chip) {
       chips_.push_back(make_pixel_chip());

@@ -7,8 +7,8 @@
 
 namespace tb {
 
-/// `lanes`: a multiple of the chip's 256 elements; throws std::invalid_argument for another number. A program runs in
-/// every chip; cycles are those that the chips count, and a chip that counts others than the first is a
+/// `lanes`: a multiple of the chip's 256 elements, up to a region's; throws std::invalid_argument for another number. A
+/// program runs in every chip; cycles are those that the chips count, and a chip that counts others than the first is a
 /// std::logic_error.
 std::unique_ptr<pixelflow::PixelArray> make_rtl_array(int lanes);
 

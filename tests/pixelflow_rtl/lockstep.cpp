@@ -11,7 +11,9 @@ int main(int argc, char** argv) {
   pixelflow_tests::LockstepOptions options;
   std::string trace;
   CLI::App app{"Random programs through the RTL of a chip of pixel processors and the golden elements"};
-  app.add_option("--programs", programs, "how many programs")->capture_default_str();
+  app.add_option("--programs", programs, "how many programs")
+      ->check(CLI::PositiveNumber.description(""))
+      ->capture_default_str();
   app.add_option("--seed", seed, "seed of the first program; the next ones count up")->capture_default_str();
   app.add_option("--length", options.length, "instructions of a program")
       ->capture_default_str()
