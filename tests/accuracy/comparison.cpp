@@ -66,7 +66,8 @@ Tally compare(const uint32_t* x, const uint32_t* y, const uint32_t* result, cons
       ++tally.equal;
       continue;
     }
-    const bool plain = std::isfinite(value[i]) && value[i] != 0;
+    const bool plain = std::isfinite(value[i]) && value[i] != 0 && std::isfinite(number(result[i])) &&
+                       std::isfinite(number(rounded[i]));
     if (!plain) ++tally.special;
     const bool next = plain && std::abs(order(result[i]) - order(rounded[i])) == 1;
     ++(next ? tally.one_off : tally.further);

@@ -11,10 +11,12 @@ namespace accuracy {
 
 struct Tally {
   uint64_t inputs = 0;
-  uint64_t equal = 0;     // the correctly rounded bits
-  uint64_t one_off = 0;   // a neighbour of them
-  uint64_t further = 0;   // anything else
-  uint64_t special = 0;   // wrong where the true value is NaN, infinite or zero: sign and bits must be right there
+  uint64_t equal = 0;    // the correctly rounded bits
+  uint64_t one_off = 0;  // a neighbour of them
+  uint64_t further = 0;  // anything else
+  // Wrong where the true value, the rounded one or the result is NaN or infinite, or the true value zero: sign and bits
+  // must be right there.
+  uint64_t special = 0;
   uint64_t disorder = 0;  // neighbouring inputs whose results go the other way than the true values
   double max_ulp = 0;     // of the result, from the true value, in units of the true value's last place
   double max_absolute = 0;

@@ -112,7 +112,6 @@ void Oracle::values(const uint32_t* x, const uint32_t* y, double* value, uint32_
   for (std::size_t i = 0; i < count; ++i) {
     if (value[i] != value[i] || bits_of(value[i] * kBelow) == bits_of(value[i] * kAbove)) continue;
     rounded[i] = state_->decide(x[i], y != nullptr ? y[i] : 0u);
-    ++decided_;
   }
 }
 

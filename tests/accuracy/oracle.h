@@ -25,13 +25,9 @@ class Oracle {
   // The value as a double, and rounded to float32; NaN is 0x7FC00000.
   void values(const uint32_t* x, const uint32_t* y, double* value, uint32_t* rounded, std::size_t count);
 
-  // How often MPFR had to decide.
-  uint64_t decided_by_mpfr() const { return decided_; }
-
  private:
   struct State;
   std::unique_ptr<State> state_;
-  uint64_t decided_ = 0;
 };
 
 }  // namespace accuracy

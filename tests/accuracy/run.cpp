@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <exception>
 #include <fstream>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -128,6 +129,17 @@ std::string fingerprint(const BinaryFunction& function) {
   return hash_of(result);
 }
 
+std::map<std::string, std::string> fingerprints() {
+  std::map<std::string, std::string> all;
+  for (const UnaryFunction& function : pixelflow::native::unary_functions()) {
+    all[std::string(function.name)] = fingerprint(function);
+  }
+  for (const BinaryFunction& function : pixelflow::native::binary_functions()) {
+    all[std::string(function.name)] = fingerprint(function);
+  }
+  return all;
+}
+
 std::vector<Chunk> chunks_of(const UnaryFunction& function, uint64_t every) {
   std::vector<Chunk> chunks;
   const std::string version = fingerprint(function);
@@ -185,7 +197,8 @@ std::map<std::string, Tally> run(const std::vector<Chunk>& chunks, const std::st
   std::mutex mutex;
   bool failed = false;
   uint64_t done_now = 0;
-  const auto worker = [&] {
+  std::exception_ptr thrown;
+  const auto work = [&] {
     while (true) {
       const std::size_t mine = next++;
       if (mine >= left.size()) return;
@@ -204,10 +217,21 @@ std::map<std::string, Tally> run(const std::vector<Chunk>& chunks, const std::st
       if (progress) progress(done, done_now, all);
     }
   };
+  // No exception may leave a thread; the first one stops them all.
+  const auto worker = [&] {
+    try {
+      work();
+    } catch (...) {
+      next = left.size();
+      const std::lock_guard lock(mutex);
+      if (!thrown) thrown = std::current_exception();
+    }
+  };
   std::vector<std::jthread> pool;
   for (unsigned i = 1; i < threads; ++i) pool.emplace_back(worker);
   worker();
   pool.clear();
+  if (thrown) std::rethrow_exception(thrown);
   if (failed) throw std::runtime_error(state_file + ": cannot be written");
   return sums;
 }

@@ -37,11 +37,15 @@ std::vector<Chunk> chunks_of(const pixelflow::native::BinaryFunction& function, 
 std::string fingerprint(const pixelflow::native::UnaryFunction& function);
 std::string fingerprint(const pixelflow::native::BinaryFunction& function);
 
+// Of every function, by name.
+std::map<std::string, std::string> fingerprints();
+
 // Called after each chunk with the inputs that are done, those of this run among them, and all.
 using Progress = std::function<void(uint64_t done, uint64_t done_now, uint64_t all)>;
 
 // Runs what the state file does not hold yet, appends it, and returns the sums by function. An empty path keeps no
-// state. Throws std::runtime_error when the file cannot be read or written.
+// state. Throws std::runtime_error when the file cannot be read or written, and what a chunk's work throws, once every
+// thread has ended.
 std::map<std::string, Tally> run(const std::vector<Chunk>& chunks, const std::string& state_file, unsigned threads,
                                  const Progress& progress);
 

@@ -69,7 +69,6 @@ class Kit {
   /// 0.
   void normalise(int number, int n, int count);
   /// W normalised in place; X comes down by the places.
-  void normalise_word() { a.normalize(); }
 
   // Parts of a float32.
   void load_field(int x);  ///< X := exponent field: 2
