@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <cmath>
 
 #include "tests/microcode/machine.h"
+#include "tests/microcode/noise_oracle.h"
 
 using namespace pixelflow;
 using namespace pixelflow_test;
@@ -20,6 +22,36 @@ Operation noise(bool is_float, int dimensions) {
   o.scale = dimensions;
   o.work = 100;
   return o;
+}
+
+double coordinate_of(std::uint16_t bits) { return static_cast<std::int16_t>(bits) / 256.0; }
+double coordinate_of(std::uint32_t bits) { return static_cast<double>(std::bit_cast<float>(bits)); }
+double result_of(std::uint16_t bits) { return bits / 65536.0; }
+double result_of(std::uint32_t bits) { return static_cast<double>(std::bit_cast<float>(bits)); }
+
+// A coordinate near the lattice's cells in three of four cases, anything in the fourth.
+std::uint32_t float_coordinate(std::mt19937_64& random) {
+  const auto bits = static_cast<std::uint32_t>(random());
+  if (random() % 4 == 0) return bits;
+  return (bits & 0x807FFFFF) | static_cast<std::uint32_t>(100 + random() % 70) << 23;
+}
+
+// `got` within its format's bound of the definition; false where a coordinate is no number, whose noise is NaN.
+template <typename Word>
+bool expect_defined(int dimensions, const Word* c, Word got, const NoiseFormat& format) {
+  double point[3] = {};
+  bool finite = true;
+  for (int n = 0; n < dimensions; ++n) {
+    point[n] = coordinate_of(c[n]);
+    finite &= std::isfinite(point[n]);
+  }
+  if (!finite) {
+    EXPECT_TRUE(std::isnan(result_of(got)));
+    return false;
+  }
+  const Bounded noise = noise_by_definition(dimensions, point, format);
+  EXPECT_NEAR(result_of(got), noise.value, noise.error) << point[0] << " " << point[1] << " " << point[2];
+  return true;
 }
 
 class NoiseOf : public testing::TestWithParam<int> {};
@@ -41,6 +73,8 @@ TEST_P(NoiseOf, FixedPoints) {
     native::noise_fixed(dimensions, at, &want, 1);
     machine.run(program);
     ASSERT_EQ(machine.get(20, 2), want) << std::hex << c[0] << " " << c[1] << " " << c[2];
+    expect_defined(dimensions, c, static_cast<std::uint16_t>(machine.get(20, 2)), kFixedNoise);
+    if (HasFailure()) return;
   }
 }
 
@@ -54,16 +88,42 @@ TEST_P(NoiseOf, FloatPoints) {
     std::uint32_t c[3], want;
     const std::uint32_t* at[3];
     for (int n = 0; n < 3; ++n) {
-      c[n] = static_cast<std::uint32_t>(random());
-      if (random() % 4)
-        c[n] = (c[n] & 0x807FFFFF) | static_cast<std::uint32_t>(100 + random() % 70) << 23;  // near lattice cells
+      c[n] = float_coordinate(random);
       at[n] = &c[n];
       if (n < dimensions) machine.put(40 + 4 * n, 4, c[n]);
     }
     native::noise_float(dimensions, at, &want, 1);
     machine.run(program);
     ASSERT_EQ(machine.get(20, 4), want) << std::hex << c[0] << " " << c[1] << " " << c[2];
+    expect_defined(dimensions, c, static_cast<std::uint32_t>(machine.get(20, 4)), kFloatNoise);
+    if (HasFailure()) return;
   }
+}
+
+TEST_P(NoiseOf, FixedPointsByDefinition) {
+  std::mt19937_64 random(seed());
+  for (int round = 0; round < 500000; ++round) {
+    std::uint16_t c[3], got;
+    const std::uint16_t* at[3] = {&c[0], &c[1], &c[2]};
+    for (std::uint16_t& one : c) one = static_cast<std::uint16_t>(random());
+    native::noise_fixed(GetParam(), at, &got, 1);
+    expect_defined(GetParam(), c, got, kFixedNoise);
+    if (HasFailure()) return;
+  }
+}
+
+TEST_P(NoiseOf, FloatPointsByDefinition) {
+  std::mt19937_64 random(seed());
+  int finite = 0;
+  for (int round = 0; round < 500000; ++round) {
+    std::uint32_t c[3], got;
+    const std::uint32_t* at[3] = {&c[0], &c[1], &c[2]};
+    for (std::uint32_t& one : c) one = float_coordinate(random);
+    native::noise_float(GetParam(), at, &got, 1);
+    finite += expect_defined(GetParam(), c, got, kFloatNoise) ? 1 : 0;
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(finite, 490000);
 }
 
 INSTANTIATE_TEST_SUITE_P(Microcode, NoiseOf, testing::Values(1, 2, 3));
