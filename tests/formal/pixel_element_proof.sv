@@ -13,7 +13,7 @@ module pixel_element_proof (
   input pixelflow_pkg::byte_t         row_i
 );
 
-  logic memory_re, memory_we, outbound_we, spec_memory_we, spec_outbound_we;
+  logic memory_re, memory_we, outbound_we, spec_memory_re, spec_memory_we, spec_outbound_we;
   pixelflow_pkg::byte_t wdata, spec_wdata;
   logic [52:0] registers, expected, expected_q;
   logic known_q = 1'b0;   // the first cycle is over
@@ -25,7 +25,7 @@ module pixel_element_proof (
 
   pixel_element_spec #(.DigitBits(pixelflow_pkg::MultiplierBits), .DigitIndex(pixelflow_pkg::DigitWidth)) spec (
     .word(instruction_i), .digit(digit_i), .state(registers), .memory(rdata_i), .packet(inbound_i), .column(column_i),
-    .row(row_i), .next(expected), .writes_memory(spec_memory_we), .writes_packet(spec_outbound_we), .value(spec_wdata)
+    .row(row_i), .next(expected), .reads_memory(spec_memory_re), .writes_memory(spec_memory_we), .writes_packet(spec_outbound_we), .value(spec_wdata)
   );
 
   always_ff @(posedge clk_i) begin
@@ -35,6 +35,7 @@ module pixel_element_proof (
 
   always_comb begin
     // The memory gives the byte of the address only where it is asked for.
+    assert (memory_re == spec_memory_re);
     assert (!memory_re || !memory_we);
     assert (memory_we == (execute_i && spec_memory_we));
     assert (outbound_we == (execute_i && spec_outbound_we));

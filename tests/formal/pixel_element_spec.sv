@@ -14,6 +14,7 @@ module pixel_element_spec #(
   input  [7:0]            column,
   input  [7:0]            row,
   output [52:0]           next,
+  output                  reads_memory,
   output                  writes_memory,
   output                  writes_packet,
   output [7:0]            value
@@ -44,7 +45,8 @@ module pixel_element_spec #(
   wire alu = kind == 0, wide = kind == 1, flag = kind == 2;
   wire to_memory = alu & dest == 4;
 
-  // Operands. Who writes memory does not read it.
+  // Operands. Who writes memory does not read it; of the wide instructions only a multiplication has an operand.
+  assign reads_memory = (q == 0 | q == 3) & (alu & dest != 4 | wide & fn == 1 | flag);
   wire [7:0] read    = to_memory ? 8'd0 : memory;
   wire [7:0] w_of_at = at == 0 ? w[7:0] : at == 1 ? w[15:8] : at == 2 ? w[23:16] : w[31:24];
   wire [7:0] port    = imm <= 31 ? packet : imm == 128 ? column : imm == 129 ? row : 8'd0;

@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "tb/pixelflow/pixel_chip.h"
 #include "tests/pixelflow_model/seed.h"
 #include "tests/pixelflow_rtl/random_streams.h"
 
@@ -62,8 +63,25 @@ TEST(RtlArray, IsTheGoldenArray) {
   }
 }
 
+/// Composition that waits for packets that never come, and a stream that has no end.
+TEST(PixelChip, ReportsWhatWouldWaitForEver) {
+  using namespace pixelflow;
+  const auto chip = tb::make_pixel_chip();
+  const auto control = [](Control what) {
+    return Instruction{.kind = Kind::Control, .fn = static_cast<std::uint8_t>(what)};
+  };
+  const std::vector<Instruction> sends{control(Control::Send), control(Control::End)};
+  EXPECT_NO_THROW(chip->run(sends));
+  chip->set_compose(tb::Compose::Closer);
+  EXPECT_THROW(chip->run(sends), std::runtime_error);
+  EXPECT_THROW(chip->run({}), std::invalid_argument);
+  EXPECT_THROW(chip->run(std::vector{control(Control::Send)}), std::invalid_argument);
+}
+
 TEST(RtlArray, RefusesWhatItDoesNotHave) {
   EXPECT_THROW(tb::make_rtl_array(100), std::invalid_argument);
+  EXPECT_THROW(tb::make_rtl_array(pixelflow::kRegionWidth * pixelflow::kRegionHeight + pixelflow::kElements),
+               std::invalid_argument);
   EXPECT_THROW(tb::make_rtl_array(0), std::invalid_argument);
   const auto array = tb::make_rtl_array(256);
   EXPECT_THROW(array->write(0, std::vector<std::uint8_t>(255)), std::invalid_argument);
