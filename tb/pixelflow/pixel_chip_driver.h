@@ -91,13 +91,6 @@ class PixelChipDriver final : public PixelChip {
     std::transform(stream.begin(), stream.end(), words_.begin(), pixelflow::pack);
 
     std::size_t next = 0;
-    // Nothing is executed before the start: what fits goes into the buffer first.
-    if (!around.stream_offered) {
-      for (top_->stream_valid_i = 1; next < words_.size() && top_->stream_ready_o; ++next) {
-        top_->stream_instruction_i = words_[next];
-        tick();
-      }
-    }
     top_->stream_valid_i = 0;
     top_->start_i = 1;
     tick();
