@@ -11,6 +11,7 @@ using pixelflow_test::hard_number;
 namespace {
 
 __extension__ typedef __int128 Int;
+__extension__ typedef unsigned __int128 Unsigned;
 
 Int value_of(std::uint64_t raw, const Operand& x) {
   const int bits = 8 * x.bytes;
@@ -26,13 +27,11 @@ Int floor_divide(Int a, Int b) {
   return q;
 }
 
-Int root(Int a) {
+Int root(Unsigned a) {
   Int r = 0;
   for (int bit = 63; bit >= 0; --bit) {
     const Int next = r | static_cast<Int>(1) << bit;
-    if (static_cast<unsigned __int128>(next) * static_cast<unsigned __int128>(next) <=
-        static_cast<unsigned __int128>(a))
-      r = next;
+    if (static_cast<Unsigned>(next) * static_cast<Unsigned>(next) <= a) r = next;
   }
   return r;
 }
@@ -44,12 +43,12 @@ Int expected(const Operation& o, Int a, Int b) {
     case Code::Copy: return a;
     case Code::Add: return a + b;
     case Code::Sub: return a - b;
-    case Code::Multiply: return a * b >> (8 * o.scale);
+    case Code::Multiply: return static_cast<Int>(static_cast<Unsigned>(a) * static_cast<Unsigned>(b)) >> (8 * o.scale);
     case Code::Divide: return b == 0 ? 0 : floor_divide(a * (one << (8 * o.scale)), b);
     case Code::Remainder: return b == 0 ? 0 : a - b * floor_divide(a, b);
     case Code::ShiftLeft: return a * (one << o.scale);
     case Code::ShiftRight: return a >> o.scale;
-    case Code::SquareRoot: return a < 0 ? 0 : root(a << o.scale);
+    case Code::SquareRoot: return a < 0 ? 0 : root(static_cast<Unsigned>(a) << o.scale);
     case Code::Wrap: {
       const Int low = a & ((one << o.scale) - 1);
       return o.d.is_signed && low >> (o.scale - 1) ? low - (one << o.scale) : low;
