@@ -15,10 +15,9 @@ struct Layout {
   bool divides = false;    ///< quotient, not remainder
   bool is_signed = false;  ///< operands are made positive first
   int a = 0, b = 0;        ///< operands as the loop reads them
-  bool uniform_b = false;
-  int quotient = 0;  ///< where the loop puts the quotient
-  int high = 0;      ///< remainder above W
-  int signs = 0;     ///< bit 0: sign of a, bit 1: sign of b, bit 2: b = 0
+  int quotient = 0;        ///< where the loop puts the quotient
+  int high = 0;            ///< remainder above W
+  int signs = 0;           ///< bit 0: sign of a, bit 1: sign of b
   int end = 0;
 };
 
@@ -26,7 +25,6 @@ Layout layout(const Operation& o) {
   Layout l;
   l.divides = o.code == Code::Divide;
   l.is_signed = o.a.is_signed || o.b.is_signed;
-  l.uniform_b = o.b.uniform;
   int next = o.work;
   const auto take = [&](int bytes) { return std::exchange(next, next + bytes); };
   l.a = o.a.address;
@@ -44,13 +42,18 @@ Layout layout(const Operation& o) {
 
 std::uint64_t magnitude(const Operand& o) { return o.is_signed && o.constant >> 63 ? ~o.constant + 1 : o.constant; }
 
-/// to := |number|, and the number's sign into K.
+/// to := (K ? ~from : from) + first.
+void negate_if(Assembler& a, int from, int to, int bytes, Carry first) {
+  for (int n = 0; n < bytes; ++n) {
+    a.load_m(from + n);
+    a.alu(Alu::NegateIf, To::Memory, P::M, Q::Immediate, {.addr = to + n, .cin = n ? Carry::C : first, .c = true});
+  }
+}
+
+/// to := |number|, and the number's sign into K; a uniform number's magnitude is a constant.
 void write_magnitude(Assembler& a, const Operand& number, int to) {
   load_sign(a, Flag::K, number);
-  for (int n = 0; n < number.bytes; ++n) {
-    a.load_m(number.address + n);
-    a.alu(Alu::NegateIf, To::Memory, P::M, Q::Immediate, {.addr = to + n, .cin = n ? Carry::C : Carry::K, .c = true});
-  }
+  if (!number.uniform) negate_if(a, number.address, to, number.bytes, Carry::K);
 }
 
 /// The loop's state: how many divisor bytes are in W and above.
@@ -101,14 +104,6 @@ struct Divisor {
   }
 };
 
-/// number := (K ? ~number : number) + first.
-void negate_if(Assembler& a, int address, int bytes, Carry first) {
-  for (int n = 0; n < bytes; ++n) {
-    a.load_m(address + n);
-    a.alu(Alu::NegateIf, To::Memory, P::M, Q::Immediate, {.addr = address + n, .cin = n ? Carry::C : first, .c = true});
-  }
-}
-
 }  // namespace
 
 int divide_workspace(const Operation& o) { return layout(o).end - o.work; }
@@ -131,19 +126,11 @@ void write_divide(Assembler& a, const Operation& o) {
     for (int n = 0; n < o.a.bytes; ++n) a.store_constant(static_cast<int>(value >> (8 * n) & 0xFF), l.a + n);
   }
   if (o.a.is_signed) {
-    if (o.a.uniform) {
-      load_sign(a, Flag::K, o.a);
-    } else {
-      write_magnitude(a, o.a, l.a);
-    }
+    write_magnitude(a, o.a, l.a);
     remember(0, std::exchange(first_sign, false));
   }
   if (o.b.is_signed) {
-    if (o.b.uniform) {
-      load_sign(a, Flag::K, o.b);
-    } else {
-      write_magnitude(a, o.b, l.b);
-    }
+    write_magnitude(a, o.b, l.b);
     remember(1, std::exchange(first_sign, false));
   }
 
@@ -191,7 +178,7 @@ void write_divide(Assembler& a, const Operation& o) {
       if (sb) sign_bit(Flag::K, 1, FlagOp::Xor);
       a.flag(Flag::C, Bit::S);  // -q is ~q + 1
       a.flag(Flag::C, Bit::K, false, FlagOp::And);
-      negate_if(a, l.quotient, o.d.bytes, Carry::C);
+      negate_if(a, l.quotient, l.quotient, o.d.bytes, Carry::C);
     }
   } else {
     // The remainder has b's sign: with r >= 0 of the magnitudes, a < 0 turns it to |b| - r where r != 0, and b < 0
@@ -205,25 +192,21 @@ void write_divide(Assembler& a, const Operation& o) {
       for (int n = 0; n < b.low(); ++n) {
         a.alu(Alu::NegateIf, To::W, P::W, Q::Immediate, {.at = n, .cin = n ? Carry::C : Carry::K, .c = true});
       }
-      negate_if(a, l.high, b.high(), Carry::C);
+      negate_if(a, l.high, l.high, b.high(), Carry::C);
       b.change_all(a, Alu::AddIf, Carry::Zero, l.high);
       if (sb) sign_bit(Flag::K, 1, FlagOp::Move);
     }
   }
 
   // Division by zero gives zero: S := (b = 0), before d is written over b.
-  bool by_zero = false;
-  const auto divisor_is_zero = [&](Flag to) {
-    for (int n = 0; n < o.b.bytes; ++n)
-      a.alu(Alu::Or, To::None, P::Zero, Q::Memory, {.addr = l.b + n, .z = n ? ZMode::And : ZMode::Set});
-    a.flag(to, Bit::Z);
-  };
+  const bool by_zero = !o.b.uniform || b.constant == 0;
   if (!o.b.uniform) {
-    divisor_is_zero(Flag::S);
-    by_zero = true;
-  } else if (b.constant == 0) {
+    for (int n = 0; n < o.b.bytes; ++n) {
+      a.alu(Alu::Or, To::None, P::Zero, Q::Memory, {.addr = l.b + n, .z = n ? ZMode::And : ZMode::Set});
+    }
+    a.flag(Flag::S, Bit::Z);
+  } else if (by_zero) {
     a.flag(Flag::S, Bit::One);
-    by_zero = true;
   }
 
   if (!l.divides) {  // d := remainder, negated where K, which holds b's sign

@@ -3,7 +3,6 @@
 #include "pixelflow/microcode/routines.h"
 
 namespace pixelflow {
-
 namespace {
 
 /// Workspace of an addition, which does not take its operands apart as the others do.
@@ -18,9 +17,9 @@ struct AddPlaces {
 };
 
 /// M := byte of the larger operand where K says that this is b.
-void select_big(Assembler& a, int in_a, int in_b, To to = To::M) {
+void select_big(Assembler& a, int in_a, int in_b) {
   a.load_m(in_b);
-  a.alu(Alu::Or, to, P::Zero, Q::MemoryOrM, {.addr = in_a});
+  a.alu(Alu::Or, To::M, P::Zero, Q::MemoryOrM, {.addr = in_a});
 }
 
 /// With the top byte of a number's fraction in M and its exponent in X: X at least 1, and the hidden bit into M.
@@ -42,8 +41,7 @@ int float_workspace(const Operation&) { return FloatParts::kBytes; }
 void write_float_add(Assembler& a, const Operation& o) {
   FloatParts parts(a, o);
   const AddPlaces w(o.work);
-  const int fa = o.a.uniform ? parts.address(o.a, w.constant) : o.a.address;
-  const int fb = o.b.uniform ? parts.address(o.b, w.constant) : o.b.address;
+  const int fa = parts.address(o.a, w.constant), fb = parts.address(o.b, w.constant);
   int b3 = fb + 3;
   if (o.code == Code::FloatSub) {
     a.alu(Alu::Xor, To::M, P::Immediate, Q::Memory, {.addr = b3, .imm = 0x80});

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "cmodel/pixelflow/macro.h"
 #include "cmodel/pixelflow/pixel_array.h"
 #include "pixelflow/microcode/library.h"
 #ifdef VSG_HAVE_RTL
@@ -130,8 +131,7 @@ TEST(Levels, ProgramsOfTheLibraryAgree) {
       ++used[static_cast<std::size_t>(o.code)];
       ++operations;
       text += std::string(text.empty() ? "" : ", ") + name(o.code);
-      compares = o.code == Code::Less || o.code == Code::LessEqual || o.code == Code::Equal ||
-                 o.code == Code::FloatLess || o.code == Code::FloatLessEqual || o.code == Code::FloatEqual;
+      compares = is_comparison(o.code);
     }
     std::vector<std::vector<std::uint8_t>> rows(kMemoryBytes, std::vector<std::uint8_t>(kLanes));
     for (auto& row : rows) {

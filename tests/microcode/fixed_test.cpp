@@ -3,6 +3,7 @@
 
 #include <sstream>
 
+#include "cmodel/pixelflow/macro.h"
 #include "tests/microcode/machine.h"
 
 using namespace pixelflow;
@@ -74,9 +75,8 @@ std::string text(const Operation& o, std::uint64_t a, std::uint64_t b) {
   return out.str();
 }
 
-bool compares(Code c) { return c == Code::Less || c == Code::LessEqual || c == Code::Equal; }
 bool binary(Code c) {
-  return compares(c) || c == Code::Add || c == Code::Sub || c == Code::Multiply || c == Code::Divide ||
+  return is_comparison(c) || c == Code::Add || c == Code::Sub || c == Code::Multiply || c == Code::Divide ||
          c == Code::Remainder;
 }
 
@@ -103,7 +103,7 @@ TEST_P(Fixed, EqualsWideIntegers) {
       case Code::Saturate: o.scale = 1 + pick(8 * o.d.bytes); break;
       default: break;
     }
-    if (!compares(o.code)) {
+    if (!is_comparison(o.code)) {
       if (pick(4) == 0) o.d.address = o.a.address;
       if (binary(o.code) && pick(4) == 0) o.d.address = o.b.address;
     }
@@ -131,7 +131,7 @@ TEST_P(Fixed, EqualsWideIntegers) {
     machine.run(program);
     ASSERT_TRUE(machine.element.registers.e);
     Int want = expected(o, a, b);
-    if (compares(o.code)) {
+    if (is_comparison(o.code)) {
       ASSERT_EQ(machine.element.registers.k, want != 0) << text(o, raw_a, raw_b) << " round " << round;
     } else {
       const std::uint64_t mask = o.d.bytes == 8 ? ~0ull : (1ull << (8 * o.d.bytes)) - 1;
@@ -140,7 +140,7 @@ TEST_P(Fixed, EqualsWideIntegers) {
     }
     const int work = workspace_bytes(o);
     for (int n = 0; n < kMemoryBytes; ++n) {
-      const bool in_d = !compares(o.code) && n >= o.d.address && n < o.d.address + o.d.bytes;
+      const bool in_d = !is_comparison(o.code) && n >= o.d.address && n < o.d.address + o.d.bytes;
       if (in_d || (n >= o.work && n < o.work + work)) continue;
       ASSERT_EQ(machine.element.memory[static_cast<std::size_t>(n)], before.memory[static_cast<std::size_t>(n)])
           << text(o, raw_a, raw_b) << " byte " << n;

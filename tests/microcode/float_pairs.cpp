@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "cmodel/pixelflow/macro.h"
 #include "cmodel/pixelflow/pixel_array.h"
 #include "pixelflow/microcode/library.h"
 #include "tests/microcode/float_oracle.h"
@@ -49,8 +50,6 @@ Words get(const PixelArray& array, int address) {
   return words;
 }
 
-bool compares(Code code) { return code == Code::FloatLess || code == Code::FloatLessEqual || code == Code::FloatEqual; }
-
 /// One operation on an array, its results checked; the pairs come in full arrays.
 class Check {
  public:
@@ -64,7 +63,7 @@ class Check {
     o.work = kWork;
     append_instructions(program_, [](Assembler& a) { a.flag(Flag::E, Bit::One); });
     append(program_, o);
-    if (compares(code)) {  // K as a number
+    if (is_comparison(code)) {  // K as a number
       append_instructions(
           program_, [](Assembler& a) { a.alu(Alu::AddIf, To::Memory, P::Zero, Q::Immediate, {.addr = kD, .imm = 1}); });
     }
@@ -86,7 +85,7 @@ class Check {
     array_.run(program_);
     const Words d = get(array_, kD);
     for (std::size_t i = 0; i < count; ++i) {
-      const bool is_flag = compares(code_);
+      const bool is_flag = is_comparison(code_);
       const std::uint32_t got = is_flag ? d[i] & 0xFF : d[i];
       const std::uint32_t want =
           is_flag ? oracle_.compares(code_, a_[i], b_[i], flush_) : oracle_.rounded(code_, a_[i], b_[i], flush_);

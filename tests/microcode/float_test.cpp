@@ -6,6 +6,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "cmodel/pixelflow/macro.h"
 #include "tests/microcode/float_oracle.h"
 #include "tests/microcode/machine.h"
 
@@ -38,7 +39,7 @@ class Tried {
     o_.b.address = 60;
     o_.work = 100;
     append(program_, o_);
-    compares_ = code == Code::FloatLess || code == Code::FloatLessEqual || code == Code::FloatEqual;
+    compares_ = is_comparison(code);
   }
   void check(std::uint32_t a, std::uint32_t b) {
     machine_.put(40, 4, a);
