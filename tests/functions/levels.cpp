@@ -13,6 +13,7 @@
 #include "cmodel/pixelflow/pixel_array.h"
 #include "pixelflow/microcode/library.h"
 #include "tests/accuracy/hard_pairs.h"
+#include "tests/levels/array_words.h"
 #ifdef PIXELFLOW_HAS_RTL
 #include "tb/pixelflow/rtl_array.h"
 #endif
@@ -20,6 +21,8 @@
 namespace {
 
 using namespace pixelflow;
+using pixelflow_tests::get_words;
+using pixelflow_tests::put_words;
 
 constexpr int kLanes = 8192;
 constexpr int kA = 0, kB = 4, kD = 8, kWork = 12;
@@ -41,24 +44,6 @@ std::vector<Machine> levels(bool rtl) {
   return all;
 }
 
-void put(PixelArray& array, int address, const std::vector<std::uint32_t>& words) {
-  std::vector<std::uint8_t> bytes(kLanes);
-  for (int n = 0; n < 4; ++n) {
-    for (int i = 0; i < kLanes; ++i) bytes[i] = static_cast<std::uint8_t>(words[i] >> (8 * n));
-    array.write(address + n, bytes);
-  }
-}
-
-std::vector<std::uint32_t> get(const PixelArray& array, int address) {
-  std::vector<std::uint32_t> words(kLanes);
-  std::vector<std::uint8_t> bytes(kLanes);
-  for (int n = 0; n < 4; ++n) {
-    array.read(address + n, bytes);
-    for (int i = 0; i < kLanes; ++i) words[i] |= std::uint32_t{bytes[i]} << (8 * n);
-  }
-  return words;
-}
-
 /// Runs one function on `inputs` pairs; an exception tells the first difference.
 void run(Code code, std::vector<Machine>& all, std::uint64_t inputs, std::uint64_t seed) {
   Operation o;
@@ -77,12 +62,12 @@ void run(Code code, std::vector<Machine>& all, std::uint64_t inputs, std::uint64
     std::vector<std::uint32_t> first;
     std::uint64_t cycles = 0;
     for (Machine& level : all) {
-      put(*level.array, kA, pairs.x);
-      put(*level.array, kB, pairs.y);
+      put_words(*level.array, kA, pairs.x);
+      put_words(*level.array, kB, pairs.y);
       const std::uint64_t before = level.array->counters().cycles;
       level.array->run(program);
       const std::uint64_t taken = level.array->counters().cycles - before;
-      const std::vector<std::uint32_t> words = get(*level.array, kD);
+      const std::vector<std::uint32_t> words = get_words(*level.array, kD);
       if (&level == &all.front()) {
         first = words;
         cycles = taken;

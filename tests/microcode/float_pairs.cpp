@@ -17,6 +17,7 @@
 #include "cmodel/pixelflow/macro.h"
 #include "cmodel/pixelflow/pixel_array.h"
 #include "pixelflow/microcode/library.h"
+#include "tests/levels/array_words.h"
 #include "tests/microcode/float_oracle.h"
 #ifdef PIXELFLOW_HAS_RTL
 #include "tb/pixelflow/rtl_array.h"
@@ -26,29 +27,13 @@ namespace {
 
 using namespace pixelflow;
 using pixelflow_test::FloatOracle;
+using pixelflow_tests::get_words;
+using pixelflow_tests::put_words;
 
 constexpr int kLanes = 1024;
 constexpr int kA = 0, kB = 4, kD = 8, kWork = 12;
 
 using Words = std::vector<std::uint32_t>;
-
-void put(PixelArray& array, int address, const Words& words) {
-  std::vector<std::uint8_t> bytes(words.size());
-  for (int n = 0; n < 4; ++n) {
-    for (std::size_t i = 0; i < words.size(); ++i) bytes[i] = static_cast<std::uint8_t>(words[i] >> (8 * n));
-    array.write(address + n, bytes);
-  }
-}
-
-Words get(const PixelArray& array, int address) {
-  Words words(static_cast<std::size_t>(array.lanes()));
-  std::vector<std::uint8_t> bytes(words.size());
-  for (int n = 0; n < 4; ++n) {
-    array.read(address + n, bytes);
-    for (std::size_t i = 0; i < words.size(); ++i) words[i] |= std::uint32_t{bytes[i]} << (8 * n);
-  }
-  return words;
-}
 
 /// One operation on an array, its results checked; the pairs come in full arrays.
 class Check {
@@ -80,10 +65,10 @@ class Check {
     if (count == 0) return;
     a_.resize(static_cast<std::size_t>(array_.lanes()));
     b_.resize(static_cast<std::size_t>(array_.lanes()));
-    put(array_, kA, a_);
-    put(array_, kB, b_);
+    put_words(array_, kA, a_);
+    put_words(array_, kB, b_);
     array_.run(program_);
-    const Words d = get(array_, kD);
+    const Words d = get_words(array_, kD);
     for (std::size_t i = 0; i < count; ++i) {
       const bool is_flag = is_comparison(code_);
       const std::uint32_t got = is_flag ? d[i] & 0xFF : d[i];
@@ -142,9 +127,9 @@ void run_all_roots(PixelArray& array) {
   Words a(kLanes);
   for (std::uint64_t first = 0; first < 1ull << 32; first += kLanes) {
     std::iota(a.begin(), a.end(), static_cast<std::uint32_t>(first));
-    put(array, kA, a);
+    put_words(array, kA, a);
     array.run(program);
-    const Words d = get(array, kD);
+    const Words d = get_words(array, kD);
     for (std::size_t i = 0; i < a.size(); ++i) {
       const float root = std::sqrt(std::bit_cast<float>(a[i]));
       const std::uint32_t want = std::isnan(root) ? 0x7FC00000 : std::bit_cast<std::uint32_t>(root);
