@@ -1,7 +1,7 @@
 // What the parser makes of a shader's text: the grammar of docs/pfman.md, nothing resolved.
 //
-// Expressions, statements and definitions are plain nodes with a kind; which members a kind uses stands beside it. Names
-// are as written. Parentheses leave no node.
+// Expressions, statements and definitions are plain nodes with a kind; which members a kind uses stands beside it.
+// Names are as written. Parentheses leave no node.
 #pragma once
 
 #include <array>
@@ -61,7 +61,7 @@ struct Specifiers {
   bool output = false;
   bool unit = false;
   Transform transform = Transform::None;
-  Location attribute;                   ///< of `unit` or the transform attribute
+  Location attribute;                     ///< of `unit` or the transform attribute
   std::vector<ExpressionPtr> dimensions;  ///< written after the type
 };
 using SpecifiersPtr = std::shared_ptr<const Specifiers>;  ///< shared by the declarators of one declaration
@@ -141,7 +141,7 @@ struct Definition {
   Kind kind;
   Location where;  ///< of the name; of a Constant, of `const`
   std::string name;
-  SpecifiersPtr result;            ///< Function, Extern; Base::Void for void
+  SpecifiersPtr result;  ///< Function, Extern; Base::Void for void
   std::vector<Declarator> parameters;
   std::vector<Declarator> declarators;  ///< Constant
   StatementPtr body;                    ///< a Block; Surface, Light, Function

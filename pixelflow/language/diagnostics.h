@@ -48,7 +48,7 @@ class Diagnostics {
   int warnings() const { return static_cast<int>(all_.size()) - errors_; }
   const std::vector<Diagnostic>& all() const { return all_; }
 
-  std::string place(Location where) const;            ///< "brick.pfman:12:5"
+  std::string place(Location where) const;               ///< "brick.pfman:12:5"
   std::string text(const Diagnostic& diagnostic) const;  ///< its lines, without a line feed at the end
   /// All of them by place (file, line, column), one after another, each ended with a line feed.
   std::string text() const;

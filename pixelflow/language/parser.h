@@ -17,8 +17,8 @@ struct ParseOptions {
 };
 
 /// Reads a file and what it includes. A file that cannot be read is a diagnostic (E100), as is all that is wrong with
-/// the text; the parser goes on after a syntax error at the next statement or definition, so the tree may have gaps when
-/// diagnostics.has_errors().
+/// the text; the parser goes on after a syntax error at the next statement or definition, so the tree may have gaps
+/// when diagnostics.has_errors().
 ast::Unit parse_file(const std::filesystem::path& file, const ParseOptions& options, Diagnostics& diagnostics);
 /// The same of a text in memory, called `name` in diagnostics; includes are searched relative to name's folder.
 ast::Unit parse_text(const std::string& text, const std::string& name, const ParseOptions& options,

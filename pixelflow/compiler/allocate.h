@@ -1,0 +1,37 @@
+// Pixel memory, byte by byte (Olano and Lastra 1998, section 6.3.3): every variable and every operation's workspace
+// gets its place while it lives.
+#pragma once
+
+#include "pixelflow/compiler/ir.h"
+#include "pixelflow/compiler/lifetime.h"
+
+namespace pfman {
+
+struct MemoryMap {
+  std::vector<int> address;  ///< by ir variable; -1 for one that is never alive
+  int parameter_bytes = 0;   ///< received: shader ID and varying parameters of the transfer map
+  int first_free =
+      0;  ///< surface: first byte above everything in use at any time (light: from kSharedAt down, the lowest)
+  int high_water = 0;  ///< surface: first byte that lights may use
+  int peak_bytes = 0;  ///< bytes occupied at the same time, at most: workspaces, mask bytes and live parameters
+                       ///< included, the shared area not
+  int peak_at = 0;     ///< instruction of the peak
+  // What table 4 compares (docs/pfman.md defines the columns).
+  int uniform_bytes = 0;    ///< of uniform variables and parameters, on the host
+  int varying_bytes = 0;    ///< of varying variables of the source and temporaries, if each had its own place
+  int allocated_bytes = 0;  ///< what they take as allocated
+};
+
+struct AllocateOptions {
+  bool share = true;  ///< off: every variable has bytes of its own
+};
+
+/// Fills the instructions' workspace addresses. E501 if kMemoryBytes do not suffice, with the variables alive at the
+/// peak, their lines and sizes, and what fixed-point versions of the float ones would save; E502 if the parameters
+/// exceed the packets of a transfer.
+MemoryMap allocate(ir::Code& code, const AllocateOptions& options, Diagnostics& diagnostics);
+
+/// For --dump=memory-map: byte ranges, what lies there, from which line to which.
+std::string dump(const MemoryMap& map, const ir::Code& code);
+
+}  // namespace pfman

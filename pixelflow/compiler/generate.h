@@ -1,0 +1,76 @@
+// Streams of SIMD instructions from a compiled shader and the values of its uniform parameters: uniform expressions and
+// control flow are executed here (Olano and Lastra 1998, section 6.1.6).
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cmodel/pixelflow/program.h"
+#include "pixelflow/compiler/compile.h"
+#include "pixelflow/compiler/host.h"
+
+namespace pfman {
+
+/// A texture lookup: the program before it has sent s and t, or a direction, in the first bytes of the outbound packet
+/// of every element that is enabled, as floats; the one after it takes 3 or 4 bytes from the beginning of the inbound
+/// packet.
+struct Lookup {
+  std::int64_t texture = 0;
+  int components = 3;
+  bool environment = false;
+};
+
+/// Programs that run one after another, with a lookup behind each but the last.
+struct Stream {
+  struct Part {
+    pixelflow::Program program;
+    std::optional<Lookup> lookup;
+  };
+  std::vector<Part> parts;
+
+  std::uint64_t cycles() const;
+};
+
+/// What surfaces and lights run. `illum` has a stream for each light; where the uniform values are the same for all of
+/// them, so are the streams, and `illum` holds one.
+struct Streams {
+  Stream pre;  ///< of a light: all of it
+  std::vector<Stream> illum;
+  Stream post;
+  /// For --dump=cycles: cycles by line of the source, all stages.
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint64_t> cycles_by_line;  ///< (file, line)
+};
+
+struct GenerateInput {
+  std::map<std::string, Raw> uniforms;       ///< by parameter name; the others have their defaults
+  std::map<std::string, Raw> bound_varying;  ///< loaded into pixel memory before the shader runs
+  std::vector<int> shader_ids;               ///< surface: pixels that it runs for; empty: all pixels
+  int lights = 1;
+};
+
+/// A C++ function that shaders call with varying arguments: it appends to the stream. It may use the bytes from `work`
+/// on, as many as it was registered with.
+struct PixelVariable {
+  std::uint8_t address = 0;
+  std::uint8_t bytes = 0;  ///< of one number
+  std::uint8_t kind = 0;   ///< 0 unsigned, 1 signed fixed, 2 float
+  std::int16_t exponent = 0;
+  int count = 1;
+};
+struct ExternalArgument {
+  std::optional<PixelVariable> pixel;
+  Raw uniform;
+};
+using PixelFunction = void (*)(pixelflow::Program& stream, const std::vector<ExternalArgument>& arguments, int work);
+
+/// Functions of C++ that shaders may call, by linkage name. Register before compiling.
+void register_external(const std::string& name, UniformFunction function);
+void register_external(const std::string& name, PixelFunction function, int workspace_bytes);
+
+/// The streams of a surface or a light. Throws UniformError.
+Streams generate(const CompiledShader& shader, const GenerateInput& input);
+
+}  // namespace pfman

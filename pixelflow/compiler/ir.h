@@ -1,0 +1,139 @@
+// Shaders as straight code for the pixel processors: instructions on variables of pixel memory, between markers of
+// control flow. Uniform values are trees that the host evaluates while it makes the stream.
+//
+// One list holds all stages. The same list serves every pass: lower() makes it, to_ssa() renames its variables so that
+// each has one definition, merge_phis() joins them again where control flow meets, allocate() gives them addresses, and
+// generate() walks it and appends operations to a stream.
+//
+// Control flow as one pixel sees it is what lifetimes go by: masked statements write only where the pixel's enable flag
+// is set, so the other branch of a masked `if` is to a pixel as if it were not there.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cmodel/pixelflow/operation.h"
+#include "pixelflow/compiler/tree.h"
+
+namespace pfman::ir {
+
+/// Bytes of pixel memory: `count` numbers of one type, one after another.
+struct Variable {
+  std::string name;  ///< "ss", "lit[1]", "t17"
+  Scalar scalar;
+  int count =
+      1;  ///< more than one only where an index is not known before the stream is made, or bytes must be adjacent
+  bool temporary = false;      ///< no variable of the source
+  Location where;              ///< of its declaration, or of the expression
+  std::optional<int> address;  ///< where it has to lie: parameters, communication area
+  std::string source;          ///< the variable of the source that it is, or is an element of
+
+  int bytes() const { return count * scalar.bytes(); }
+};
+
+struct Operand {
+  enum class Kind : std::uint8_t { None, Pixel, Uniform };
+  Kind kind = Kind::None;
+  bool is_signed = false;
+  int variable = -1;  ///< Pixel
+  int offset = 0;     ///< Pixel: first byte within the variable; a number is shifted right by whole bytes that way
+  int bytes = 0;      ///< of the number: 1 to 8. Several numbers of Noise and Lookup follow one another
+  int uniform = -1;   ///< Uniform: its value, uniforms[uniform]
+  int index = -1;     ///< Pixel: uniforms[index], where not -1, times the bytes of an element is added to the offset
+  int elements = 1;   ///< Pixel with index: how many elements the index may name
+
+  explicit operator bool() const { return kind != Kind::None; }
+};
+
+struct Instruction {
+  enum class Kind : std::uint8_t {
+    Operate,  // d := code(a, b), with scale. A comparison leaves its result in K and, where there is a d, as 0 or 1 in
+              // it
+    And,      // d := a op b, byte by byte, all of the same length
+    Or,
+    Xor,
+    Select,   // d := condition ? a : b, byte by byte
+    Uniform,  // uniforms[uniform] is evaluated for its effect: Assign, Sequence
+    // Control flow on the host.
+    If,  // uniforms[uniform]
+    Else,
+    EndIf,
+    Loop,
+    LoopTest,  // leaves the loop unless uniforms[uniform]
+    LoopNext,  // where `continue` goes; the step follows
+    EndLoop,   // back to Loop
+    Break,
+    Continue,
+    // Control flow by the enable flag. mask: first bit of the construct; alive: bits that E is ANDed with afterwards.
+    IfMasked,  // condition; bits: mask saved enable, mask + 1 pending else (only with an ElseMasked)
+    ElseMasked,
+    EndIfMasked,
+    BreakMasked,     // bit `mask` := 0, E := 0
+    ContinueMasked,  // the same
+    // A Loop with masked jumps has mask >= 0; bits: mask saved enable, then one for breaks, then one for continues, as
+    // there are any (masked_breaks, masked_continues).
+    Lookup,    // d := 3 or 4 bytes of texture uniforms[uniform]; a: two floats s, t, or three of a direction
+               // (environment)
+    External,  // external function; arguments
+    Stage,     // the illuminance's body, or what follows it, begins here: stage
+  };
+  Kind kind = Kind::Operate;
+  pixelflow::Code code = pixelflow::Code::Copy;
+  int scale = 0;
+  Operand d, a, b;
+  Operand condition;  ///< Select, IfMasked: a bool variable, bit 0; None: K as the comparison just before left it
+  int uniform = -1;
+  int match = -1;  ///< index of the matching marker: If -> Else or EndIf, Else -> EndIf, Loop <-> EndLoop, jumps,
+                   ///< LoopTest, LoopNext -> Loop
+  int mask = -1;
+  std::vector<int> alive;
+  bool masked_breaks = false, masked_continues = false;
+  bool environment = false;
+  int stage = 0;  ///< Stage: 1 illum, 2 post-illum
+  const Function* external = nullptr;
+  std::vector<Operand>
+      arguments;  ///< External: in the parameters' order; outputs are definitions (and uses: they are copied in)
+  Location where;
+
+  // Filled by allocate().
+  int work = 0;  ///< first byte of the operation's workspace
+};
+
+/// A φ-function, for --dump=ssa: d is one of the operands, by the way control flow came.
+struct Phi {
+  int before = 0;  ///< instruction in front of which it stands
+  int d = 0;
+  std::vector<int> operands;
+};
+
+/// A parameter as the code knows it.
+struct Parameter {
+  const ShaderParameter* declared = nullptr;
+  std::vector<int>
+      variables;  ///< varying: the ir variables that hold it at the start, one an element, or one with a count
+};
+
+struct Code {
+  Shader::Kind kind = Shader::Kind::Surface;
+  std::string name;
+  Location where;
+  std::vector<Variable> variables;
+  std::vector<Instruction> code;
+  std::vector<NodePtr> uniforms;
+  /// Variables of the uniform trees: those of the shader and copies of those of functions, one for each call.
+  std::vector<std::unique_ptr<pfman::Variable>> uniform_variables;
+  std::vector<Parameter> parameters;
+  std::vector<int> color;       ///< surface: variables of px_shader_color's components at the end, in its declared type
+  int mask_bits = 0;            ///< used at the same time, at most
+  std::vector<int> mask_bytes;  ///< variables for mask bits 8 and up, eight each
+  bool has_illuminance = false;
+  bool needs_position = false;  ///< reads px_shader_position
+  std::vector<Phi> phis;        ///< between to_ssa() and merge_phis()
+};
+
+/// One instruction a line, control flow indented: for --dump=ssa and listings.
+std::string dump(const Code& code, const Diagnostics& diagnostics);
+
+}  // namespace pfman::ir

@@ -1,0 +1,61 @@
+// A shading node: surfaces and lights, interleaved over one region (Olano and Lastra 1998, section 6.1.5 and figure 9).
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "cmodel/pixelflow/pixel_array.h"
+#include "pixelflow/shading/instance.h"
+
+namespace pfman {
+
+/// Images that shaders look up, by number. Lookups are bilinear, repeat, and give 8-bit components.
+class TextureMemory {
+ public:
+  struct Texture {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> rgba;  ///< 4 bytes a texel, rows from t = 0 up
+  };
+  void set(std::int64_t number, Texture texture);
+  /// Components 0 to 255; a number without a texture gives opaque white.
+  std::array<std::uint8_t, 4> lookup(std::int64_t number, float s, float t) const;
+  /// Sphere-mapped along a direction in eye space.
+  std::array<std::uint8_t, 4> environment(std::int64_t number, std::array<float, 3> direction) const;
+
+ private:
+  std::map<std::int64_t, Texture> textures_;
+};
+
+class ShadingNode {
+ public:
+  /// Throws std::invalid_argument where surfaces and lights do not fit each other: a light needs memory below the
+  /// high-water mark of a surface, or a surface of three light colours meets a light of one.
+  ShadingNode(std::vector<Instance> surfaces, std::vector<Instance> lights, const TextureMemory* textures);
+
+  /// Shades what lies in the array: shader IDs, parameters by the transfer maps, positions (float[3] at kPositionAt).
+  /// Afterwards the colour of every pixel that has a surface is at kColorAt, U(8,8)[3].
+  void shade(pixelflow::PixelArray& array);
+
+  struct Cycles {
+    std::uint64_t pre = 0, illum = 0, post = 0, lights = 0;
+    std::uint64_t lookups = 0;  ///< texture lookups, a region each
+  };
+  const Cycles& cycles() const { return cycles_; }
+  int executions() const {
+    return executions_;
+  }  ///< of surface streams' sets: instances with equal parameters run once
+  const StreamCache& cache() const { return cache_; }
+
+ private:
+  void run(const Stream& stream, pixelflow::PixelArray& array, std::uint64_t& cycles);
+
+  std::vector<Instance> surfaces_, lights_;
+  const TextureMemory* textures_;
+  StreamCache cache_;
+  Cycles cycles_;
+  int executions_ = 0;
+};
+
+}  // namespace pfman
