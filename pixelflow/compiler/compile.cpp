@@ -1,0 +1,57 @@
+#include "pixelflow/compiler/compile.h"
+
+#include "pixelflow/compiler/check.h"
+#include "pixelflow/compiler/lifetime.h"
+#include "pixelflow/compiler/lower.h"
+
+namespace pfman {
+namespace {
+
+CompiledShader compile_shader(const Tree& tree, const Shader& shader, const Options& options,
+                              Diagnostics& diagnostics) {
+  CompiledShader compiled;
+  compiled.shader = &shader;
+  compiled.code = lower(tree, shader, {.fuse = options.fuse}, diagnostics);
+  if (diagnostics.has_errors()) return compiled;
+  to_ssa(compiled.code, diagnostics);
+  merge_phis(compiled.code);
+  if (options.drop_unused) drop_unused(compiled.code);
+  if (options.join_copies) join_copies(compiled.code);
+  compiled.map = allocate(compiled.code, {.share = options.share_memory}, diagnostics);
+  return compiled;
+}
+
+std::unique_ptr<CompiledUnit> compile(ast::Unit syntax, const Options& options, Diagnostics& diagnostics) {
+  auto unit = std::make_unique<CompiledUnit>();
+  unit->syntax = std::move(syntax);
+  if (diagnostics.has_errors()) return unit;
+  unit->tree = check(unit->syntax, diagnostics);
+  if (diagnostics.has_errors()) return unit;
+  size_fixed(unit->tree, diagnostics);
+  if (diagnostics.has_errors()) return unit;
+  for (const auto& shader : unit->tree.shaders) {
+    unit->shaders.push_back(compile_shader(unit->tree, *shader, options, diagnostics));
+  }
+  return unit;
+}
+
+}  // namespace
+
+const CompiledShader* CompiledUnit::find(const std::string& name) const {
+  for (const CompiledShader& shader : shaders) {
+    if (shader.shader->name == name) return &shader;
+  }
+  return nullptr;
+}
+
+std::unique_ptr<CompiledUnit> compile_file(const std::filesystem::path& file, const Options& options,
+                                           Diagnostics& diagnostics) {
+  return compile(parse_file(file, options.parse, diagnostics), options, diagnostics);
+}
+
+std::unique_ptr<CompiledUnit> compile_text(const std::string& text, const std::string& name, const Options& options,
+                                           Diagnostics& diagnostics) {
+  return compile(parse_text(text, name, options.parse, diagnostics), options, diagnostics);
+}
+
+}  // namespace pfman
