@@ -42,6 +42,9 @@ enum class Operator : std::uint8_t {
 };
 const char* spelling(Operator op);  ///< "+", "<<", "!"; "" for None
 
+/// Expressions have at most this height, statements nest at most so deep: more is a syntax error.
+constexpr int kMaximumNesting = 256;
+
 struct Expression;
 using ExpressionPtr = std::unique_ptr<Expression>;
 
@@ -70,7 +73,7 @@ struct Declarator {
   Location where;
   std::string name;
   SpecifiersPtr specifiers;
-  std::vector<ExpressionPtr> dimensions;  ///< written after the name; 0 to 2
+  std::vector<ExpressionPtr> dimensions;  ///< written after the name; they come before those after the type, 2 in all
   ExpressionPtr initial;                  ///< or null
 };
 
@@ -100,7 +103,8 @@ struct Expression {
   bool float_suffix = false;
   Operator op = Operator::None;
   bool saturate = false;
-  SpecifiersPtr cast;  ///< base, sign, size and exponent only
+  std::uint32_t height = 1;  ///< levels of the tree from here down, so that who recurses knows his stack
+  SpecifiersPtr cast;        ///< base, sign, size and exponent only
 };
 
 struct Statement;
