@@ -11,6 +11,7 @@ CompiledShader compile_shader(const Tree& tree, const Shader& shader, const Opti
                               Diagnostics& diagnostics) {
   CompiledShader compiled;
   compiled.shader = &shader;
+  compiled.tree = &tree;
   compiled.code = lower(tree, shader, {.fuse = options.fuse}, diagnostics);
   if (diagnostics.has_errors()) return compiled;
   to_ssa(compiled.code, diagnostics);

@@ -29,6 +29,7 @@ struct CompiledShader {
   ir::Code code;
   MemoryMap map;
   const Shader* shader = nullptr;  ///< in the unit's tree
+  const Tree* tree = nullptr;      ///< the unit's
 };
 
 struct CompiledUnit {

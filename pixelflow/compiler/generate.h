@@ -27,6 +27,7 @@ struct Lookup {
 struct Stream {
   struct Part {
     pixelflow::Program program;
+    std::vector<Location> places;  ///< of each step of the program, in the text
     std::optional<Lookup> lookup;
   };
   std::vector<Part> parts;
