@@ -1,0 +1,26 @@
+// Colours for counts of iterations: bands of blue, white and gold that repeat; black inside of the set.
+#ifndef MANDELBROT_COLORS_H
+#define MANDELBROT_COLORS_H
+
+// A wave of period 1 that rises and falls like the square of a sine.
+fixed<16,16> wave(fixed<24,16> x)
+{
+    fixed<16,16> rise = abs(2*(x % 1) - 1) * 0.9999;
+    return sat fixed<16,16>(rise*rise*(3 - 2*rise));
+}
+
+// What `count`, of at most `most`, is shown as. Without colours it is shown as it is, for those who count.
+void show_count(fixed<8,0> count, uniform int most, uniform float bands, uniform bool plain,
+                output fixed<8,8> color[3])
+{
+    if (plain) {
+        fixed<8,8> raw = count >> 8;
+        color = { raw, raw, raw };
+    } else {
+        fixed<24,16> x = bands * sqrt(count);
+        color = { wave(x + 0.45), wave(x + 0.53), wave(x + 0.66) };
+        if (count >= most) color = { 0, 0, 0 };
+    }
+}
+
+#endif
