@@ -11,15 +11,15 @@ fixed<16,16> wave(fixed<24,16> x)
 
 // What `count`, of at most `most`, is shown as. Without colours it is shown as it is, for those who count.
 void show_count(fixed<8,0> count, uniform int most, uniform float bands, uniform bool plain,
-                output fixed<8,8> color[3])
+                output fixed<8,8> shown[3])
 {
     if (plain) {
         fixed<8,8> raw = count >> 8;
-        color = { raw, raw, raw };
+        shown = { raw, raw, raw };
     } else {
         fixed<24,16> x = bands * sqrt(count);
-        color = { wave(x + 0.45), wave(x + 0.53), wave(x + 0.66) };
-        if (count >= most) color = { 0, 0, 0 };
+        shown = { wave(x + 0.45), wave(x + 0.53), wave(x + 0.66) };
+        if (count >= most) shown = { 0, 0, 0 };
     }
 }
 
