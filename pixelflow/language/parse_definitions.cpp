@@ -79,15 +79,15 @@ void Parser::parameters(std::vector<ast::Declarator>& list) {
     }
     close(")", open);
   } catch (const Panic&) {
+    open_arrays_ = 0;
     int parentheses = 1;
-    while (!at_end() && parentheses > 0 && !(at("{") && open_arrays_ == 0)) {
+    bool array = false;  // a brace here opens an array, not the body
+    while (!at_end() && parentheses > 0 && (array || !at("{"))) {
+      array = at("=") || at(",") || at("{") || at("(");
       if (at("(")) ++parentheses;
       if (at(")")) --parentheses;
-      if (at("{")) ++open_arrays_;
-      if (at("}") && --open_arrays_ < 0) break;
       take();
     }
-    open_arrays_ = 0;
     if (!at("{")) throw;
   }
 }

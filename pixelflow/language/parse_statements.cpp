@@ -138,7 +138,13 @@ StatementPtr Parser::for_statement() {
   StatementPtr result = make_statement(Kind::For);
   take();
   const Location open = expect("(");
-  result->expressions.push_back(at(";") ? nullptr : expression());
+  if (at_type()) {
+    report(102, now().where, "the clauses of 'for' are expressions; declare its variable before it");
+    declarator(specifiers());
+    result->expressions.push_back(nullptr);
+  } else {
+    result->expressions.push_back(at(";") ? nullptr : expression());
+  }
   expect(";");
   result->expressions.push_back(at(";") ? nullptr : expression());
   expect(";");

@@ -133,12 +133,9 @@ void Parser::skip_statement() {
                                       "return", "continue", "surface", "illuminance", "illuminate", "solar",
                                       "light",  "extern",   "const",   "else"};
   for (; !at_end(); take()) {
-    if (at("{")) return;
-    if (at("}")) {
-      if (open_arrays_ == 0) return;
-      --open_arrays_;
-      continue;
-    }
+    if (open_arrays_ == 0 && (at("{") || at("}"))) return;
+    if (at("{")) ++open_arrays_;
+    if (at("}")) --open_arrays_;
     if (accept(";")) {
       open_arrays_ = 0;
       return;
@@ -182,8 +179,9 @@ std::vector<ast::Definition> Parser::run() {
       try {
         definitions.push_back(definition());
       } catch (const Panic&) {
+        const bool stray_brace = at_ == begin && at("}");
         if (at_ == begin) take();
-        skip_definition();
+        if (!stray_brace) skip_definition();
       }
     }
   } catch (const GiveUp&) {

@@ -93,9 +93,6 @@ class Preprocessor {
 
   /// The next token of the text, directives obeyed.
   Token read() {
-    if (diagnostics_.errors() - errors_before_ > kMaximumMistakes) {
-      macros_.exhaust(last_, "more than " + std::to_string(kMaximumMistakes) + " mistakes; the rest is not read");
-    }
     while (!macros_.exhausted() && !sources_.empty()) {
       Source& source = sources_.back();
       const Token& token = source.tokens[source.next];
@@ -112,6 +109,7 @@ class Preprocessor {
       }
       if (token.line_start && token.is("#")) {
         directive(source);
+        stop_after_many_mistakes();
         continue;
       }
       ++source.next;
@@ -123,6 +121,11 @@ class Preprocessor {
     Token end;
     end.where = last_;
     return end;
+  }
+
+  void stop_after_many_mistakes() {
+    if (diagnostics_.errors() - errors_before_ <= kMaximumMistakes) return;
+    macros_.exhaust(last_, "more than " + std::to_string(kMaximumMistakes) + " mistakes; the rest is not read");
   }
 
   void directive(Source& source) {
