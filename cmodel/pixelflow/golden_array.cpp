@@ -24,6 +24,18 @@ void check_size(std::size_t given, int lanes) {
   }
 }
 
+void check_packets(std::size_t given, int lanes) {
+  const auto all = static_cast<std::size_t>(lanes) * kPacketBytes;
+  if (given != all) {
+    throw std::invalid_argument("the array's packets have " + std::to_string(all) + " bytes in all, not " +
+                                std::to_string(given));
+  }
+}
+
+bool is_send(const Instruction& instruction) {
+  return instruction.kind == Kind::Control && instruction.fn == static_cast<std::uint8_t>(Control::Send);
+}
+
 void check_address(int address) {
   if (address < 0 || address >= kMemoryBytes) {
     throw std::invalid_argument("an element has " + std::to_string(kMemoryBytes) +
@@ -45,6 +57,7 @@ GoldenArray::GoldenArray(Level level, int lanes, int multiplier_bits)
                                 std::to_string(multiplier_bits));
   }
   if (level == Level::Macro) check_host_arithmetic();
+  sent_.resize(static_cast<std::size_t>(lanes) * kPacketBytes);
   for (int first = 0; first < lanes; first += PixelRow::kLanes) {
     PixelRow& tile = tiles_.emplace_back(std::min(PixelRow::kLanes, lanes - first));
     for (int n = 0; n < tile.lanes(); ++n) {
@@ -130,13 +143,44 @@ void GoldenArray::run(const Program& program) {
     step_cycles.push_back(sum);
     cycles += sum;
   }
-  for (PixelRow& tile : tiles_) run_tile(program, step_cycles, tile);
+  for (std::size_t tile = 0; tile < tiles_.size(); ++tile) run_tile(program, step_cycles, tile);
   counters_.cycles += cycles;
   counters_.instructions += program.instructions.size();
   counters_.element_cycles += cycles * static_cast<std::uint64_t>(lanes_);
 }
 
-void GoldenArray::run_tile(const Program& program, const std::vector<std::uint64_t>& step_cycles, PixelRow& tile) {
+void GoldenArray::load(std::span<const std::uint8_t> packets) {
+  check_packets(packets.size(), lanes_);
+  const std::uint8_t* from = packets.data();
+  for (PixelRow& tile : tiles_) {
+    for (int n = 0; n < tile.lanes(); ++n, from += kPacketBytes) {
+      for (int byte = 0; byte < kPacketBytes; ++byte) tile.inbound(byte)[n] = from[byte];
+    }
+  }
+}
+
+void GoldenArray::sent(std::span<std::uint8_t> packets) const {
+  check_packets(packets.size(), lanes_);
+  std::copy(sent_.begin(), sent_.end(), packets.begin());
+}
+
+void GoldenArray::run_instructions(std::span<const Instruction> instructions, std::size_t number) {
+  PixelRow& tile = tiles_[number];
+  while (!instructions.empty()) {
+    const auto send = std::find_if(instructions.begin(), instructions.end(), is_send);
+    const auto before = static_cast<std::size_t>(send - instructions.begin());
+    tile.run(instructions.first(before));
+    if (send == instructions.end()) return;
+    std::uint8_t* to = sent_.data() + number * PixelRow::kLanes * kPacketBytes;
+    for (int n = 0; n < tile.lanes(); ++n) {
+      for (int byte = 0; byte < kPacketBytes; ++byte) *to++ = tile.outbound(byte)[n];
+    }
+    instructions = instructions.subspan(before + 1);
+  }
+}
+
+void GoldenArray::run_tile(const Program& program, const std::vector<std::uint64_t>& step_cycles, std::size_t number) {
+  PixelRow& tile = tiles_[number];
   for (std::size_t n = 0; n < program.steps.size(); ++n) {
     const Step& step = program.steps[n];
     const bool natively = level_ == Level::Macro && step.operation.has_value();
@@ -148,8 +192,10 @@ void GoldenArray::run_tile(const Program& program, const std::vector<std::uint64
     }
     if (natively) {
       compute(*step.operation, tile);
-    } else {
+    } else if (step.operation) {
       tile.run(std::span(program.instructions).subspan(step.first, step.count));
+    } else {
+      run_instructions(std::span(program.instructions).subspan(step.first, step.count), number);
     }
     counters_.simulated_element_cycles += step_cycles[n] * static_cast<std::uint64_t>(simulated);
   }

@@ -26,17 +26,22 @@ class GoldenArray : public PixelArray {
   /// Throws std::invalid_argument, before anything is executed, for steps that do not cover the instructions in order
   /// and for operations that check() refuses.
   void run(const Program& program) override;
+  void load(std::span<const std::uint8_t> packets) override;
+  void sent(std::span<std::uint8_t> packets) const override;
   Registers registers(int lane) const override;
   ArrayCounters counters() const override { return counters_; }
 
  private:
   void check_program(const Program& program) const;
-  void run_tile(const Program& program, const std::vector<std::uint64_t>& step_cycles, PixelRow& tile);
+  void run_tile(const Program& program, const std::vector<std::uint64_t>& step_cycles, std::size_t number);
+  /// Runs instructions of a tile and keeps what a Send among them finds.
+  void run_instructions(std::span<const Instruction> instructions, std::size_t number);
 
   Level level_;
   int lanes_;
   int multiplier_bits_;
   std::vector<PixelRow> tiles_;
+  std::vector<std::uint8_t> sent_;  ///< kPacketBytes an element
   ArrayCounters counters_;
 };
 

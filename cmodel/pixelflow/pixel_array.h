@@ -38,6 +38,11 @@ class PixelArray {
   virtual void place(std::span<const std::uint8_t> columns, std::span<const std::uint8_t> rows) = 0;
   /// Executes the program in every element, from the registers as they are. E is clear after construction.
   virtual void run(const Program& program) = 0;
+  // The communication buffers: kPacketBytes bytes an element, one element after another.
+  /// Packets that the next program with a WaitInbound finds.
+  virtual void load(std::span<const std::uint8_t> packets) = 0;
+  /// Packets as the last Send found them; zero before the first.
+  virtual void sent(std::span<std::uint8_t> packets) const = 0;
   virtual Registers registers(int lane) const = 0;
   virtual ArrayCounters counters() const = 0;
 };

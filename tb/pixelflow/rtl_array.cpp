@@ -12,7 +12,7 @@ namespace {
 
 class RtlArray final : public pixelflow::PixelArray {
  public:
-  explicit RtlArray(int lanes) : lanes_(lanes) {
+  explicit RtlArray(int lanes) : lanes_(lanes), sent_(static_cast<std::size_t>(std::max(lanes, 0))) {
     constexpr int kMost = pixelflow::kRegionWidth * pixelflow::kRegionHeight;
     if (lanes <= 0 || lanes > kMost || lanes % pixelflow::kElements != 0) {
       throw std::invalid_argument("the array has whole chips of " + std::to_string(pixelflow::kElements) +
@@ -49,19 +49,35 @@ class RtlArray final : public pixelflow::PixelArray {
   void run(const pixelflow::Program& program) override {
     stream_.assign(program.instructions.begin(), program.instructions.end());
     stream_.push_back({.kind = pixelflow::Kind::Control, .fn = static_cast<std::uint8_t>(pixelflow::Control::End)});
-    const ChipCounters first = chips_.front()->run(stream_);
+    const bool waits = has(Control::WaitInbound), sends = has(Control::Send);
+    const ChipCounters first = run_chip(0, waits, sends);
     for (std::size_t c = 1; c < chips_.size(); ++c) {
-      const ChipCounters other = chips_[c]->run(stream_);
+      const ChipCounters other = run_chip(c, waits, sends);
       if (other.executed != first.executed || other.instructions != first.instructions) {
         throw std::logic_error("chip " + std::to_string(c) + " counts " + std::to_string(other.executed) +
                                " cycles, chip 0 " + std::to_string(first.executed));
       }
     }
+    if (waits) loaded_.clear();
     // The End that stops the chip is no part of the program.
     counters_.cycles += first.executed - 1;
     counters_.instructions += first.instructions - 1;
     counters_.element_cycles = counters_.simulated_element_cycles =
         counters_.cycles * static_cast<std::uint64_t>(lanes_);
+  }
+
+  void load(std::span<const std::uint8_t> packets) override {
+    check_packets(packets.size());
+    loaded_.resize(static_cast<std::size_t>(lanes_));
+    for (std::size_t n = 0; n < loaded_.size(); ++n) {
+      std::ranges::copy(packets.subspan(n * pixelflow::kPacketBytes, pixelflow::kPacketBytes), loaded_[n].begin());
+    }
+  }
+  void sent(std::span<std::uint8_t> packets) const override {
+    check_packets(packets.size());
+    for (std::size_t n = 0; n < sent_.size(); ++n) {
+      std::ranges::copy(sent_[n], packets.begin() + n * pixelflow::kPacketBytes);
+    }
   }
 
   pixelflow::Registers registers(int lane) const override {
@@ -76,6 +92,36 @@ class RtlArray final : public pixelflow::PixelArray {
   pixelflow::ArrayCounters counters() const override { return counters_; }
 
  private:
+  using Control = pixelflow::Control;
+
+  bool has(Control what) const {
+    return std::ranges::any_of(stream_, [&](const pixelflow::Instruction& i) {
+      return i.kind == pixelflow::Kind::Control && i.fn == static_cast<std::uint8_t>(what);
+    });
+  }
+
+  /// Packets come in through the chip's load port while it waits for them, and leave after a Send, an element a beat.
+  ChipCounters run_chip(std::size_t chip, bool waits, bool sends) {
+    ChipSurroundings around;
+    const std::size_t first = chip * pixelflow::kElements;
+    std::size_t next_in = 0, next_out = 0;
+    if (waits && !loaded_.empty()) {
+      around.load = [&]() { return next_in < pixelflow::kElements ? &loaded_[first + next_in] : nullptr; };
+      around.loaded = [&] { ++next_in; };
+    }
+    if (sends) {
+      around.received = [&](const Packet& packet) { sent_[first + next_out++ % pixelflow::kElements] = packet; };
+    }
+    return chips_[chip]->run(stream_, around);
+  }
+
+  void check_packets(std::size_t size) const {
+    const auto all = static_cast<std::size_t>(lanes_) * pixelflow::kPacketBytes;
+    if (size != all) {
+      throw std::invalid_argument("the array's packets have " + std::to_string(all) + " bytes in all, not " +
+                                  std::to_string(size));
+    }
+  }
   void check(std::size_t size) const {
     if (size != static_cast<std::size_t>(lanes_)) {
       throw std::invalid_argument("a row of the array has " + std::to_string(lanes_) + " bytes, not " +
@@ -86,6 +132,8 @@ class RtlArray final : public pixelflow::PixelArray {
   int lanes_;
   std::vector<std::unique_ptr<PixelChip>> chips_;
   std::vector<pixelflow::Instruction> stream_;
+  std::vector<Packet> loaded_;  ///< by element; empty when nothing waits to be loaded
+  std::vector<Packet> sent_;    ///< by element
   pixelflow::ArrayCounters counters_;
 };
 
