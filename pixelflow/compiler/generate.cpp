@@ -230,6 +230,16 @@ class StageWalker {
   std::vector<int> iterations_;  ///< of the loops around
 };
 
+Raw default_value(const ShaderParameter& parameter, Environment& constants) {
+  const Raw value = evaluate(*parameter.initial, constants);
+  const Type& type = parameter.variable->type;
+  Raw result(static_cast<std::size_t>(type.count()));
+  for (std::size_t n = 0; n < result.size(); ++n) {
+    result[n] = convert(value.at(value.size() > 1 ? n : 0), parameter.initial->type.scalar, type.scalar);
+  }
+  return result;
+}
+
 /// What the host knows before the first stage: constants of the unit, parameters; everything else is zero.
 Environment start(const CompiledShader& shader, const GenerateInput& input) {
   Environment environment;
@@ -250,11 +260,7 @@ Environment start(const CompiledShader& shader, const GenerateInput& input) {
       }
       environment[variable] = given->second;
     } else if (parameter.initial) {
-      const Raw value = evaluate(*parameter.initial, environment);
-      Raw& target = environment[variable];
-      for (std::size_t n = 0; n < target.size(); ++n) {
-        target[n] = convert(value.at(value.size() > 1 ? n : 0), parameter.initial->type.scalar, variable->type.scalar);
-      }
+      environment[variable] = default_value(parameter, environment);
     }
   }
   return environment;
@@ -306,6 +312,12 @@ std::uint64_t Stream::cycles() const {
   std::uint64_t sum = 0;
   for (const Part& part : parts) sum += part.program.cycles();
   return sum;
+}
+
+Raw default_value(const CompiledShader& shader, const ShaderParameter& parameter) {
+  Environment constants;
+  for (const NodePtr& constant : shader.tree->constants) evaluate(*constant, constants);
+  return default_value(parameter, constants);
 }
 
 Streams generate(const CompiledShader& shader, const GenerateInput& input) {

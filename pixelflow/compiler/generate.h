@@ -50,6 +50,8 @@ struct GenerateInput {
   std::map<std::string, Raw> bound_varying;  ///< loaded into pixel memory before the shader runs
   std::vector<int> shader_ids;               ///< surface: pixels that it runs for; empty: all pixels
   int lights = 1;
+
+  friend bool operator==(const GenerateInput&, const GenerateInput&) = default;
 };
 
 /// A C++ function that shaders call with varying arguments: it appends to the stream. It may use the bytes from `work`
@@ -71,7 +73,11 @@ using PixelFunction = void (*)(pixelflow::Program& stream, const std::vector<Ext
 void register_external(const std::string& name, UniformFunction function);
 void register_external(const std::string& name, PixelFunction function, int workspace_bytes);
 
-/// The streams of a surface or a light. Throws UniformError.
+/// The streams of a surface or a light. Throws UniformError, and std::invalid_argument for a parameter with another
+/// number of values than it has.
 Streams generate(const CompiledShader& shader, const GenerateInput& input);
+
+/// What a parameter has where it is not set, in its own type.
+Raw default_value(const CompiledShader& shader, const ShaderParameter& parameter);
 
 }  // namespace pfman

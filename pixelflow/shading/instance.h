@@ -39,7 +39,8 @@ class Instance {
   /// name or a wrong number of values.
   void set(const std::string& parameter, const std::vector<double>& values);
   void set_raw(const std::string& parameter, const Raw& raw);
-  /// A varying parameter is bound unless this says that it comes with the pixels.
+  /// A varying parameter is bound unless this says that it comes with the pixels, or it is a standard one without a
+  /// value.
   void make_ordinary(const std::string& parameter);
   bool is_ordinary(const std::string& parameter) const;
 
@@ -54,16 +55,19 @@ class Instance {
   std::vector<std::string> ordinary_;
 };
 
-/// Streams by shader and values: made when they are first needed and after a change.
+/// Streams by shader and user (an instance, or several that are shaded together): made when they are first needed, and
+/// made again when the values are others than the last time.
 class StreamCache {
  public:
-  const Streams& streams(const CompiledShader& shader, const GenerateInput& input);
+  /// The streams stay where they are until the same user's values change.
+  const Streams& streams(const CompiledShader& shader, const GenerateInput& input, int user = 0);
   int made() const { return made_; }
   int reused() const { return reused_; }
 
  private:
   struct Entry {
     const CompiledShader* shader;
+    int user;
     GenerateInput input;
     std::unique_ptr<Streams> streams;
   };

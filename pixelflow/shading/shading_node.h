@@ -31,11 +31,16 @@ class TextureMemory {
 class ShadingNode {
  public:
   /// Throws std::invalid_argument where surfaces and lights do not fit each other: a light needs memory below the
-  /// high-water mark of a surface, or a surface of three light colours meets a light of one.
+  /// high-water mark of a surface, or a surface of three light colours meets a light of one; and where two surfaces
+  /// have the same ID or one has none. Lights run in the order of their IDs. `textures` may be null.
   ShadingNode(std::vector<Instance> surfaces, std::vector<Instance> lights, const TextureMemory* textures);
 
+  /// To change values between two frames; only the streams of what was changed are made again.
+  Instance& surface(std::size_t number) { return surfaces_.at(number); }
+  Instance& light(std::size_t number) { return lights_.at(number); }
+
   /// Shades what lies in the array: shader IDs, parameters by the transfer maps, positions (float[3] at kPositionAt).
-  /// Afterwards the colour of every pixel that has a surface is at kColorAt, U(8,8)[3].
+  /// Afterwards the colour of every pixel that has a surface is at kColorAt, U(8,8)[3]. Throws UniformError.
   void shade(pixelflow::PixelArray& array);
 
   struct Cycles {
@@ -43,13 +48,21 @@ class ShadingNode {
     std::uint64_t lookups = 0;  ///< texture lookups, a region each
   };
   const Cycles& cycles() const { return cycles_; }
-  int executions() const {
-    return executions_;
-  }  ///< of surface streams' sets: instances with equal parameters run once
+  /// Surfaces executed, a region each: instances with equal values run once.
+  int executions() const { return executions_; }
   const StreamCache& cache() const { return cache_; }
 
  private:
+  /// Instances of one shader with equal values, of which there are pixels in the region.
+  struct Group {
+    const Instance* first;
+    std::vector<int> ids;  ///< all of them, there or not: the streams stay the same from region to region
+    const Streams* streams = nullptr;
+  };
+  std::vector<Group> groups_in(const pixelflow::PixelArray& array) const;
+  const Streams& streams(const Instance& instance, const std::vector<int>& ids, int user);
   void run(const Stream& stream, pixelflow::PixelArray& array, std::uint64_t& cycles);
+  void look_up(const Lookup& lookup, pixelflow::PixelArray& array);
 
   std::vector<Instance> surfaces_, lights_;
   const TextureMemory* textures_;

@@ -1,0 +1,101 @@
+#include "pixelflow/shading/instance.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "pixelflow/compiler/memory_layout.h"
+
+namespace pfman {
+namespace {
+
+/// Bytes of a packet that hold parameters: the depth takes the first four (docs/pixel_processor.md).
+constexpr int kPayloadBytes = pixelflow::kPacketBytes - 4;
+
+/// Not given by the application but found on the shading node.
+bool is_rebuilt(const std::string& name) { return name == "px_shader_position" || name == "px_shader_view"; }
+bool is_standard(const std::string& name) { return name.starts_with("px_"); }
+
+const ShaderParameter& find(const CompiledShader& shader, const std::string& name) {
+  for (const ShaderParameter& parameter : shader.shader->parameters) {
+    if (parameter.variable->name == name && !parameter.variable->output) return parameter;
+  }
+  throw std::invalid_argument("'" + shader.shader->name + "' has no parameter '" + name + "'");
+}
+
+}  // namespace
+
+TransferMap transfer_map(const CompiledShader& shader) {
+  TransferMap map;
+  map.bytes = kShaderIdBytes;
+  for (const ShaderParameter& parameter : shader.shader->parameters) {
+    const Variable& variable = *parameter.variable;
+    if (!variable.type.varying || variable.output || is_rebuilt(variable.name)) continue;
+    map.entries.push_back({variable.name, variable.type, kShaderIdAt + map.bytes});
+    map.bytes += variable.type.bytes();
+  }
+  map.packets = (map.bytes + kPayloadBytes - 1) / kPayloadBytes;
+  return map;
+}
+
+Instance::Instance(const CompiledShader& shader, int id) : shader_(&shader), id_(id) {
+  for (const ShaderParameter& parameter : shader.shader->parameters) {
+    const Variable& variable = *parameter.variable;
+    if (variable.output || !parameter.initial) continue;
+    (variable.type.varying ? bound_ : uniforms_)[variable.name] = default_value(shader, parameter);
+  }
+}
+
+void Instance::set(const std::string& parameter, const std::vector<double>& values) {
+  const Scalar& scalar = find(*shader_, parameter).variable->type.scalar;
+  Raw raw;
+  for (const double value : values) raw.push_back(from_double(value, scalar));
+  set_raw(parameter, raw);
+}
+
+void Instance::set_raw(const std::string& parameter, const Raw& raw) {
+  const Variable& variable = *find(*shader_, parameter).variable;
+  if (is_rebuilt(parameter)) throw std::invalid_argument("'" + parameter + "' is found on the shading node");
+  const auto count = static_cast<std::size_t>(variable.type.count());
+  if (raw.size() != count) {
+    throw std::invalid_argument("parameter '" + parameter + "' has " + std::to_string(count) + " numbers, not " +
+                                std::to_string(raw.size()));
+  }
+  if (!variable.type.varying) {
+    uniforms_[parameter] = raw;
+    return;
+  }
+  bound_[parameter] = raw;
+  std::erase(ordinary_, parameter);
+}
+
+void Instance::make_ordinary(const std::string& parameter) {
+  if (!find(*shader_, parameter).variable->type.varying) {
+    throw std::invalid_argument("parameter '" + parameter + "' is uniform and can only be bound");
+  }
+  bound_.erase(parameter);
+  if (!is_ordinary(parameter)) ordinary_.push_back(parameter);
+}
+
+bool Instance::is_ordinary(const std::string& parameter) const {
+  if (std::find(ordinary_.begin(), ordinary_.end(), parameter) != ordinary_.end()) return true;
+  return is_standard(parameter) && find(*shader_, parameter).variable->type.varying && !bound_.contains(parameter);
+}
+
+const Streams& StreamCache::streams(const CompiledShader& shader, const GenerateInput& input, int user) {
+  for (Entry& entry : entries_) {
+    if (entry.shader != &shader || entry.user != user) continue;
+    if (entry.input == input) {
+      ++reused_;
+    } else {
+      entry.streams = std::make_unique<Streams>(generate(shader, input));
+      entry.input = input;
+      ++made_;
+    }
+    return *entry.streams;
+  }
+  entries_.push_back({&shader, user, input, std::make_unique<Streams>(generate(shader, input))});
+  ++made_;
+  return *entries_.back().streams;
+}
+
+}  // namespace pfman
