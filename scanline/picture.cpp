@@ -1,6 +1,8 @@
 #include "scanline/picture.h"
 
 #include <algorithm>
+#include <stdexcept>
+#include <utility>
 
 namespace scanline {
 namespace {
@@ -28,6 +30,12 @@ Plane plane_of(const Frame& frame, const std::vector<std::uint32_t>& polygon) {
 
 Picture::Picture(int width, int height)
     : width_(width), height_(height), colors_(3 * static_cast<std::size_t>(width) * height) {}
+
+Picture::Picture(int width, int height, std::vector<float> colors)
+    : width_(width), height_(height), colors_(std::move(colors)) {
+  if (colors_.size() != 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
+    throw std::invalid_argument("a picture has three colours a pixel");
+}
 
 void Picture::shade_rows(const ShaderStage& stage, const SpanList& spans, int samples, int first_row, int rows) {
   const std::size_t sample_width = static_cast<std::size_t>(spans.width());

@@ -24,6 +24,8 @@ struct PictureChannels {
 class Picture {
  public:
   Picture(int width, int height);
+  /// Throws std::invalid_argument unless there are three colours a pixel.
+  Picture(int width, int height, std::vector<float> colors);
   int width() const { return width_; }
   int height() const { return height_; }
 

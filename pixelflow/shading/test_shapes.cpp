@@ -58,9 +58,9 @@ struct Bump {
 
 /// Round particles on the ground, and where the second measurement is high.
 constexpr Bump kParticles[] = {
-    {-0.52, 0.42, 0.30, 0.36},  {0.35, 0.55, 0.24, 0.28},  {0.62, 0.10, 0.20, 0.24},   {-0.15, -0.62, 0.27, 0.34},
-    {-0.70, -0.25, 0.19, 0.20}, {0.02, 0.30, 0.17, 0.17},  {0.42, -0.72, 0.16, 0.15},  {-0.20, 0.80, 0.15, 0.14},
-    {0.85, 0.68, 0.17, 0.16},   {-0.88, 0.85, 0.13, 0.11}, {-0.58, -0.78, 0.14, 0.12}, {0.82, -0.35, 0.13, 0.13},
+    {-0.52, 0.42, 0.30, 0.26},  {0.35, 0.55, 0.24, 0.20},  {0.62, 0.10, 0.20, 0.17},   {-0.15, -0.62, 0.27, 0.24},
+    {-0.70, -0.25, 0.19, 0.14}, {0.02, 0.30, 0.17, 0.12},  {0.42, -0.72, 0.16, 0.11},  {-0.20, 0.80, 0.15, 0.10},
+    {0.85, 0.68, 0.17, 0.12},   {-0.88, 0.85, 0.13, 0.08}, {-0.58, -0.78, 0.14, 0.09}, {0.82, -0.35, 0.13, 0.09},
 };
 constexpr Bump kSecond[] = {
     {-0.35, 0.40, 0.62, 0.95}, {0.55, 0.35, 0.50, 0.65}, {0.15, -0.55, 0.70, 0.85}, {-0.85, -0.60, 0.45, 0.55}};
@@ -85,7 +85,8 @@ double relief_height(double x, double y) {
                   0.004 * wave(9 * x - 4 * y) * wave(7 * y + 5 * x);
   for (const Bump& bump : kParticles) {
     const double dx = x - bump.x, dy = y - bump.y;
-    height += bump.height * bell(dx * dx + dy * dy, bump.radius);
+    const double squared = (dx * dx + dy * dy) / (bump.radius * bump.radius);
+    height += bump.height * bell(squared * squared, 1);  // of the fourth power: rounder than the bell
   }
   const double from_fibre = y + 0.08 - 0.55 * x + 0.62 * x * x * x;
   return height + 0.10 * bell(from_fibre * from_fibre, 0.13);
