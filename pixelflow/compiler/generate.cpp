@@ -6,7 +6,7 @@
 #include "cmodel/pixelflow/macro.h"
 #include "pixelflow/compiler/enable_masks.h"
 #include "pixelflow/compiler/externals.h"
-#include "pixelflow/compiler/memory_layout.h"
+#include "pixelflow/compiler/picture_colour.h"
 #include "pixelflow/compiler/stream_writer.h"
 
 namespace pfman {
@@ -28,13 +28,18 @@ class StageWalker {
         out_(stream),
         masks_(out_, code_, deep(), ids) {}
 
-  /// `bound`: varying parameters to be loaded first, null but in the first stage.
-  void walk(int first, int last, const std::map<std::string, Raw>* bound) {
+  /// `bound`: varying parameters to be loaded first, null but in the first stage. `colours`: the picture's colour is
+  /// written at the end.
+  void walk(int first, int last, const std::map<std::string, Raw>* bound, bool colours) {
     out_.at(code_.where);
     masks_.begin_stage(first, last);
     if (bound) load_bound(*bound);
     for (int at = first; at < last;) at = step(at);
     out_.at(code_.where);
+    if (colours) {
+      masks_.prepare();
+      write_picture_colour(out_, code_, map_);
+    }
     masks_.end_stage();
   }
 
@@ -196,6 +201,16 @@ class StageWalker {
     out_.receive(d.address, components);
   }
 
+  ExternalArgument argument(const ir::Operand& operand, const Type& type) {
+    if (operand.kind == ir::Operand::Kind::Uniform) return {.pixel = {}, .uniform = value(operand.uniform)};
+    const Scalar& scalar = type.scalar;
+    const int kind = scalar.is_float ? 2 : scalar.is_signed ? 1 : 0;
+    return {.pixel = PixelVariable{resolve(operand).address, static_cast<std::uint8_t>(scalar.bytes()),
+                                   static_cast<std::uint8_t>(kind), static_cast<std::int16_t>(scalar.exponent),
+                                   type.count()},
+            .uniform = {}};
+  }
+
   void call(const ir::Instruction& i) {
     const PixelExternal external = pixel_external(i.external->linkage);
     if (!external.function) {
@@ -204,21 +219,9 @@ class StageWalker {
     }
     std::vector<ExternalArgument> arguments;
     for (std::size_t n = 0; n < i.arguments.size(); ++n) {
-      const ir::Operand& operand = i.arguments[n];
-      // A varying result follows the parameters.
-      const Type& type = n < i.external->parameters.size() ? i.external->parameters[n]->type : i.external->result;
-      ExternalArgument& argument = arguments.emplace_back();
-      if (operand.kind == ir::Operand::Kind::Uniform) {
-        argument.uniform = value(operand.uniform);
-        continue;
-      }
-      const Scalar& scalar = type.scalar;
-      argument.pixel = PixelVariable{resolve(operand).address, static_cast<std::uint8_t>(scalar.bytes()),
-                                     static_cast<std::uint8_t>(scalar.is_float    ? 2
-                                                               : scalar.is_signed ? 1
-                                                                                  : 0),
-                                     static_cast<std::int16_t>(scalar.exponent), type.count()};
+      arguments.push_back(argument(i.arguments[n], i.external->parameters[n]->type));
     }
+    if (i.d) arguments.push_back(argument(i.d, i.external->result));
     out_.foreign([&](pixelflow::Program& program) { external.function(program, arguments, i.work); });
   }
 
@@ -325,7 +328,8 @@ Streams generate(const CompiledShader& shader, const GenerateInput& input) {
   const StageBounds bounds = stages(shader.code);
   Streams streams;
   const auto walk = [&](Stream& stream, int first, int last, const std::map<std::string, Raw>* bound = nullptr) {
-    StageWalker(shader, environment, input.shader_ids, stream).walk(first, last, bound);
+    const bool colours = shader.code.kind == Shader::Kind::Surface && last == bounds.end;
+    StageWalker(shader, environment, input.shader_ids, stream).walk(first, last, bound, colours);
   };
   walk(streams.pre, 0, bounds.first_end, &input.bound_varying);
   if (bounds.illum >= 0) {
