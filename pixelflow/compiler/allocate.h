@@ -10,16 +10,21 @@ namespace pfman {
 struct MemoryMap {
   std::vector<int> address;  ///< by ir variable; -1 for one that is never alive
   int parameter_bytes = 0;   ///< received: shader ID and varying parameters of the transfer map
-  int first_free =
-      0;  ///< surface: first byte above everything in use at any time (light: from kSharedAt down, the lowest)
+  /// Surface: first byte above everything in use at any time, what is received included. Light: the lowest byte in use;
+  /// lights grow from kSharedAt down.
+  int first_free = 0;
   int high_water = 0;  ///< surface: first byte that lights may use
   int peak_bytes = 0;  ///< bytes occupied at the same time, at most: workspaces, mask bytes and live parameters
-                       ///< included, the shared area not
+                       ///< included, shader ID and shared area not
   int peak_at = 0;     ///< instruction of the peak
-  // What table 4 compares (docs/pfman.md defines the columns).
-  int uniform_bytes = 0;    ///< of uniform variables and parameters, on the host
-  int varying_bytes = 0;    ///< of varying variables of the source and temporaries, if each had its own place
-  int allocated_bytes = 0;  ///< what they take as allocated
+
+  // What table 4 compares. Its numbers for the simple brick, 97 bytes varying and 16 as allocated, leave no room for
+  // the normal and the texture coordinates of 20 bytes, so that parameters are in neither: both columns are what a
+  // shader needs on top of its parameters. Workspaces of operations are not variables.
+  int uniform_bytes = 0;    ///< uniform parameters and uniform variables of the source, on the host
+  int varying_bytes = 0;    ///< varying variables of the source and temporaries, if each had its own place: ir::Code's
+                            ///< source_bytes and temporary_bytes
+  int allocated_bytes = 0;  ///< bytes outside of the parameters' own that ever hold one of these variables
 };
 
 struct AllocateOptions {

@@ -29,9 +29,13 @@ struct Variable {
   Location where;              ///< of its declaration, or of the expression
   std::optional<int> address;  ///< where it has to lie: parameters, communication area
   std::string source;          ///< the variable of the source that it is, or is an element of
+  std::vector<int> versions;   ///< by to_ssa(): which of its definitions, from 1 on, the one at the start among them
 
   int bytes() const { return count * scalar.bytes(); }
 };
+
+/// The variable's name with its versions, as figure 10 writes it: "i2", "i2_3", "lit[1].2".
+std::string label(const Variable& variable);
 
 struct Operand {
   enum class Kind : std::uint8_t { None, Pixel, Uniform };
@@ -83,7 +87,8 @@ struct Instruction {
   pixelflow::Code code = pixelflow::Code::Copy;
   int scale = 0;
   Operand d, a, b;
-  Operand condition;  ///< Select, IfMasked: a bool variable, bit 0; None: K as the comparison just before left it
+  Operand condition;  ///< Select, IfMasked: a bool variable, bit 0, read before anything is written; None: K as the
+                      ///< comparison just before left it
   int uniform = -1;
   int match = -1;  ///< index of the matching marker: If -> Else or EndIf, Else -> EndIf, Loop <-> EndLoop, jumps,
                    ///< LoopTest, LoopNext -> Loop
@@ -105,7 +110,7 @@ struct Instruction {
 struct Phi {
   int before = 0;  ///< instruction in front of which it stands
   int d = 0;
-  std::vector<int> operands;
+  std::vector<int> operands;  ///< one for each of predecessors()' instructions
 };
 
 /// A parameter as the code knows it.
@@ -131,6 +136,9 @@ struct Code {
   bool has_illuminance = false;
   bool needs_position = false;  ///< reads px_shader_position
   std::vector<Phi> phis;        ///< between to_ssa() and merge_phis()
+  // Pixel memory if every variable had bytes of its own, before anything is renamed; without parameters. By to_ssa().
+  int source_bytes = 0;     ///< variables of the source
+  int temporary_bytes = 0;  ///< the compiler's
 };
 
 /// One instruction a line, control flow indented: for --dump=ssa and listings.

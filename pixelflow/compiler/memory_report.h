@@ -1,0 +1,22 @@
+// What is said of shaders that need more than there is.
+#pragma once
+
+#include "pixelflow/compiler/ir.h"
+#include "pixelflow/compiler/placement.h"
+#include "pixelflow/language/diagnostics.h"
+
+namespace pfman {
+
+/// Packets of the composition network that a pixel's parameters may fill at 30 frames per second of 1280 x 1024 pixels
+/// (section 6.2), and what each carries beside the depth.
+constexpr int kMostPackets = 5;
+constexpr int kPacketPayload = 28;
+
+/// E502, and false, where shader ID and parameters exceed a transfer.
+bool check_transfer(const ir::Code& code, int parameter_bytes, Diagnostics& diagnostics);
+
+/// E501: the layout needs more than `available` bytes. Notes name what is alive where most is needed.
+void report_full(const ir::Code& code, const Placement& placement, const Layout& layout, int available,
+                 Diagnostics& diagnostics);
+
+}  // namespace pfman
