@@ -17,8 +17,9 @@ void show_count(fixed<8,0> count, uniform int most, uniform float bands, uniform
         fixed<8,8> raw = count >> 8;
         shown = { raw, raw, raw };
     } else {
-        fixed<24,16> x = bands * sqrt(count);
-        shown = { wave(x + 0.45), wave(x + 0.53), wave(x + 0.66) };
+        fixed<24,16> level = count;
+        fixed<24,16> x = bands * sqrt(level);
+        shown = { wave(x + 0.12), wave(x + 0.21), wave(x + 0.30) };
         if (count >= most) shown = { 0, 0, 0 };
     }
 }
