@@ -9,13 +9,13 @@ fixed<16,16> wave(fixed<24,16> x)
     return sat fixed<16,16>(rise*rise*(3 - 2*rise));
 }
 
-// What `count`, of at most `most`, is shown as. Without colours it is shown as it is, for those who count.
-void show_count(fixed<8,0> count, uniform int most, uniform float bands, uniform bool plain,
+// What `count`, of at most `most`, is shown as. Without colours its two bytes are shown as they are, for those who count.
+void show_count(fixed<16,0> count, uniform int most, uniform float bands, uniform bool plain,
                 output fixed<8,8> shown[3])
 {
     if (plain) {
-        fixed<8,8> raw = count >> 8;
-        shown = { raw, raw, raw };
+        fixed<8,8> low = count >> 8, high = count >> 16;
+        shown = { low, high, 0 };
     } else {
         fixed<24,16> level = count;
         fixed<24,16> x = bands * sqrt(level);
