@@ -11,7 +11,6 @@ namespace {
 using Arguments = std::vector<Value>;
 
 constexpr int kMostOctaves = 16;
-constexpr Number kCoordinate = signed_fixed(16, 8);
 
 /// Coordinates, of an array or of arguments one by one.
 struct Coordinates {
@@ -57,9 +56,6 @@ Value noise(const Node& node, const Arguments& arguments, bool is_signed) {
       for (Raw& raw : value.raw) raw = float_bits(2 * as_float(raw) - 1);
     }
     return value;
-  }
-  for (std::size_t n = 0; n < all.axes.size(); ++n) {
-    for (Raw& raw : all.axes[n]) raw = fixed_to_fixed(raw, all.numbers[n], kCoordinate, false);
   }
   value.raw = noise_of<std::uint16_t>(all, pixelflow::native::noise_fixed);
   for (Raw& raw : value.raw) {

@@ -64,8 +64,11 @@ void set_parameters(const Shader& shader, const ParameterValues& uniform, const 
 }
 
 Machine::Light light_variables(Resolver& resolver) {
-  return {&resolver.common("px_shader_position"), &resolver.common("px_light_ray"),
-          &resolver.common("px_light_distance"), &resolver.common("px_light_direction")};
+  return {&resolver.common("px_shader_position"),
+          &resolver.common("px_light_ray"),
+          &resolver.common("px_light_distance"),
+          &resolver.common("px_light_direction"),
+          {&resolver.common(kColors[0]), &resolver.common(kColors[1]), &resolver.common(kColors[2])}};
 }
 
 bool has_source(const Step& step) {

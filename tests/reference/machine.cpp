@@ -128,32 +128,33 @@ Machine::Flow Machine::flow_loop(const Step& step) {
   return Flow::Next;
 }
 
-/// Lanes whose direction to or from the light is within an angle around an axis.
+/// Active lanes from which the light is within an angle around an illuminance's axis.
 std::vector<bool> Machine::inside_cone(const Step& step) {
+  const Value axis = normalized(evaluate(*step.nodes[0]));
+  const Value angle = evaluate(*step.nodes[1]);
+  const Value least = library_function("cos", {&angle});
+  Value direction = light_.direction->value;
+  for (Raw& raw : direction.raw) raw = fixed_to_float(raw, light_.direction->number);
+  const Value cosine = float_dot(axis, direction);
   std::vector<bool> inside = active_;
-  const std::size_t axis_at = step.nodes.size() - 2;
-  const Value axis = evaluate(*step.nodes[axis_at]);
-  const Value angle = evaluate(*step.nodes[axis_at + 1]);
-  const Value limit = library_function("cos", {&angle});
-  Value ratio;
-  if (step.kind == Step::Kind::Illuminance) {
-    Value direction = light_.direction->value;
-    for (Raw& raw : direction.raw) raw = fixed_to_float(raw, light_.direction->number);
-    ratio = float_dot(normalized(axis), direction);
-  } else {
-    const Value along = float_dot(light_.ray->value, axis);
-    const Value length = float_product(light_.distance->value, float_square_root(float_dot(axis, axis)));
-    ratio = along;
-    for (int lane = 0; lane < lanes_; ++lane) {
-      ratio.to(0, lane) = float_operation(pfman::ast::Operator::Divide, along.at(0, lane), length.at(0, lane));
-    }
-  }
   for (int lane = 0; lane < lanes_; ++lane) {
-    const float cosine = as_float(ratio.at(0, lane)), least = as_float(limit.at(0, lane));
-    const bool in = step.kind == Step::Kind::Illuminance ? cosine >= least : !(cosine < least);
-    if (!in) inside[static_cast<std::size_t>(lane)] = false;
+    if (!(as_float(cosine.at(0, lane)) >= as_float(least.at(0, lane)))) inside[static_cast<std::size_t>(lane)] = false;
   }
   return inside;
+}
+
+/// Black where the ray is outside of an illuminate's cone.
+void Machine::blacken_outside(const Value& axis, const Value& angle) {
+  const Value along = float_dot(light_.ray->value, axis);
+  const Value length = float_product(light_.distance->value, float_square_root(float_dot(axis, axis)));
+  const Value least = float_product(library_function("cos", {&angle}), length);
+  for (int lane = 0; lane < lanes_; ++lane) {
+    if (!active_[static_cast<std::size_t>(lane)] || !(as_float(along.at(0, lane)) < as_float(least.at(0, lane))))
+      continue;
+    for (Variable* color : light_.colors) {
+      for (int element = 0; element < 3; ++element) color->value.to(element, lane) = 0;
+    }
+  }
 }
 
 void Machine::illuminate(const Step& step) {
@@ -171,7 +172,10 @@ void Machine::illuminate(const Step& step) {
     }
   }
   assign_everywhere(*light_.direction, direction);
-  run_where(*step.body[0], step.nodes.size() == 1 ? active_ : inside_cone(step));
+  const bool cone = step.nodes.size() > 1;
+  const Value axis = cone ? evaluate(*step.nodes[1]) : Value(), angle = cone ? evaluate(*step.nodes[2]) : Value();
+  flow(*step.body[0]);
+  if (cone) blacken_outside(axis, angle);
 }
 
 void Machine::solar(const Step& step) {
@@ -180,7 +184,7 @@ void Machine::solar(const Step& step) {
   Value direction = float_negated(ray);
   for (Raw& raw : direction.raw) raw = float_to_fixed(raw, light_.direction->number);
   assign_everywhere(*light_.direction, direction);
-  run_where(*step.body[0], active_);
+  flow(*step.body[0]);
 }
 
 }  // namespace reference

@@ -24,6 +24,7 @@ class Machine {
   /// What illuminate and solar read and set.
   struct Light {
     Variable *position, *ray, *distance, *direction;
+    Variable* colors[3];
   };
   void use(const Light& light) { light_ = light; }
   int lanes() const { return lanes_; }
@@ -46,6 +47,7 @@ class Machine {
   void illuminate(const Step& step);
   void solar(const Step& step);
   std::vector<bool> inside_cone(const Step& step);
+  void blacken_outside(const Value& axis, const Value& angle);
 
   Place place(const Node& node);
   void store(const Place& place, const Value& value);

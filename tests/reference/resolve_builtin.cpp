@@ -105,8 +105,7 @@ NodePtr Resolver::builtin_node(const std::string& name, Nodes operands, pfman::L
       made->number = kFloat;
       break;
     case Typing::Generic: {
-      const bool typed = meet(operands);
-      if (!typed && builtin->takes_literals) {
+      if (builtin->takes_literals && !meet(operands)) {
         made->untyped = true;
       } else {
         for (NodePtr& operand : operands) operand = whole(std::move(operand));
@@ -117,12 +116,12 @@ NodePtr Resolver::builtin_node(const std::string& name, Nodes operands, pfman::L
       break;
     }
     case Typing::Noise:
-      meet(operands);
-      for (NodePtr& operand : operands) operand = whole(std::move(operand));
+      for (NodePtr& operand : operands) settle(*operand, std::nullopt);
       if (std::any_of(operands.begin(), operands.end(), is_floating)) {
         for (NodePtr& operand : operands) operand = root(std::move(operand), kFloat);
         made->number = kFloat;
       } else {
+        for (NodePtr& operand : operands) operand = root(std::move(operand), signed_fixed(16, 8));
         made->number = name == "noise" ? unsigned_fixed(16, 16) : signed_fixed(17, 16);
       }
       break;

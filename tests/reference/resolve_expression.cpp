@@ -40,6 +40,9 @@ NodePtr Resolver::node(const Expression& expression) {
       made->operands.push_back(whole(node(*expression.operands[1])));
       const Node& array = *made->operands[0];
       if (array.shape.scalar()) fail(203, expression.where, "index of a scalar");
+      if (made->operands[1]->number.floating || made->operands[1]->number.exponent > 0) {
+        fail(202, expression.where, "index that is no integer");
+      }
       if (!made->operands[1]->uniform) fail(205, expression.where, "varying index");
       made->number = array.number;
       made->shape = array.shape.element();
