@@ -101,6 +101,8 @@ struct Node {
   Variable* variable = nullptr;
   pixelflow::Code math = pixelflow::Code::Sin;
   const Function* function = nullptr;
+  /// Set by check(): a result of the library, of which every fraction bit is computed.
+  bool precise = false;
   /// Set by size_fixed(): the node is only computed to be added or subtracted (keeps guard bits).
   bool under = false;
 };

@@ -1,0 +1,176 @@
+// Functions of the library whose type follows from their arguments': float if one is float, else fixed with every bit.
+// The arguments have met: all are float, or all are fixed.
+#include <algorithm>
+
+#include "pixelflow/compiler/checker.h"
+
+namespace pfman {
+
+using Op = Node::Op;
+
+NodePtr Checker::keep(NodePtr node, Nodes& before) {
+  const Location where = node->where;
+  Type type = node->type;
+  type.scalar = node->exact;
+  Variable* variable = new_variable("value", type, Variable::Role::Hidden, where);
+  before.push_back(make_assign(make_read(variable, where), std::move(node), where));
+  return make_read(variable, where);
+}
+
+NodePtr Checker::reuse(NodePtr node, Nodes& before) {
+  if (is_plain(*node)) return node;
+  return keep(std::move(node), before);
+}
+
+/// The second one where it is less.
+NodePtr Checker::lesser(NodePtr a, NodePtr b, Nodes& before) {
+  const Location where = a->where;
+  a = reuse(std::move(a), before);
+  b = reuse(std::move(b), before);
+  NodePtr less = make_operation(Op::Less, nodes(clone(*b), clone(*a)), where);
+  return make_select(std::move(less), std::move(b), std::move(a), where);
+}
+
+/// The second one where the first is less.
+NodePtr Checker::greater(NodePtr a, NodePtr b, Nodes& before) {
+  const Location where = a->where;
+  a = reuse(std::move(a), before);
+  b = reuse(std::move(b), before);
+  NodePtr less = make_operation(Op::Less, nodes(clone(*a), clone(*b)), where);
+  return make_select(std::move(less), std::move(b), std::move(a), where);
+}
+
+namespace {
+
+NodePtr sign(NodePtr x, Location where) {
+  const bool real = x->exact.is_float;
+  const auto number = [&](int value) {
+    if (real) return make_float(value, where);
+    return make_literal(Scalar::fixed(true, 2, 0), static_cast<std::uint64_t>(std::int64_t{value}), where);
+  };
+  const auto zero = [&] { return real ? make_float(0, where) : make_integer(0, where); };
+  NodePtr positive = make_operation(Op::Less, nodes(zero(), clone(*x)), where);
+  NodePtr rest = make_select(std::move(positive), number(1), number(0), where);
+  NodePtr negative = make_operation(Op::Less, nodes(std::move(x), zero()), where);
+  return make_select(std::move(negative), number(-1), std::move(rest), where);
+}
+
+bool is_unary(const std::string& name) {
+  return name == "abs" || name == "floor" || name == "ceil" || name == "round" || name == "sqrt";
+}
+
+}  // namespace
+
+NodePtr Checker::mix(Nodes arguments, Nodes& before, Location where) {
+  const bool real = arguments[0]->exact.is_float;
+  for (NodePtr& argument : arguments) argument = reuse(std::move(argument), before);
+  NodePtr one = real ? make_float(1, where) : make_integer(1, where);
+  NodePtr rest = make_operation(Op::Subtract, nodes(std::move(one), clone(*arguments[2])), where);
+  if (arguments[0]->type.is_array()) rest = keep(std::move(rest), before);
+  NodePtr first = make_operation(Op::Multiply, nodes(std::move(arguments[0]), std::move(rest)), where);
+  NodePtr second = make_operation(Op::Multiply, nodes(std::move(arguments[1]), std::move(arguments[2])), where);
+  return make_operation(Op::Add, nodes(std::move(first), std::move(second)), where);
+}
+
+/// Of scalars.
+NodePtr Checker::generic_scalar(const std::string& name, Nodes arguments, Location where) {
+  Nodes before;
+  NodePtr result;
+  if (name == "min" || name == "max") {
+    result = std::move(arguments[0]);
+    for (std::size_t n = 1; n < arguments.size(); ++n) {
+      result = name == "min" ? lesser(std::move(result), std::move(arguments[n]), before)
+                             : greater(std::move(result), std::move(arguments[n]), before);
+    }
+  } else if (name == "clamp") {
+    // Later arguments are evaluated before the first comparison.
+    for (NodePtr& argument : arguments) argument = reuse(std::move(argument), before);
+    NodePtr raised = greater(std::move(arguments[0]), std::move(arguments[1]), before);
+    result = lesser(std::move(raised), std::move(arguments[2]), before);
+  } else if (name == "step") {
+    const bool real = arguments[0]->exact.is_float;
+    const auto number = [&](int value) {
+      return real ? make_float(value, where)
+                  : make_literal(Scalar::boolean(), static_cast<std::uint64_t>(value), where);
+    };
+    NodePtr less = make_operation(Op::Less, nodes(std::move(arguments[1]), std::move(arguments[0])), where);
+    result = make_select(std::move(less), number(0), number(1), where);
+  } else {
+    result = sign(reuse(std::move(arguments[0]), before), where);
+  }
+  result->precise = true;
+  return make_sequence(std::move(before), std::move(result), where);
+}
+
+/// An array of the function's results for the elements of its arguments, scalars repeated.
+NodePtr Checker::each_element(const std::string& name, const Nodes& arguments, Location where) {
+  int length = 0;
+  for (const NodePtr& argument : arguments) {
+    if (argument->type.is_array()) length = argument->type.dimensions[0];
+  }
+  if (length == 0) {
+    Nodes copies;
+    for (const NodePtr& argument : arguments) copies.push_back(clone(*argument));
+    return generic_scalar(name, std::move(copies), where);
+  }
+  Nodes results;
+  for (int n = 0; n < length; ++n) {
+    Nodes elements;
+    for (const NodePtr& argument : arguments) {
+      elements.push_back(argument->type.is_array() ? make_element(*argument, n) : clone(*argument));
+    }
+    results.push_back(each_element(name, elements, where));
+  }
+  NodePtr result = make_array(std::move(results), where);
+  result->precise = true;
+  return result;
+}
+
+/// Null for a mistake.
+NodePtr Checker::generic(const std::string& name, Nodes arguments, Location where) {
+  const bool right =
+      std::all_of(arguments.begin(), arguments.end(), [](const NodePtr& node) { return node != nullptr; });
+  if (!right) return nullptr;
+  const bool real =
+      std::any_of(arguments.begin(), arguments.end(), [](const NodePtr& node) { return node->exact.is_float; });
+  if (real) {
+    for (NodePtr& argument : arguments) argument = to_float(std::move(argument));
+  }
+  if (is_unary(name)) {
+    const Op op = name == "abs"     ? Op::Abs
+                  : name == "floor" ? Op::Floor
+                  : name == "ceil"  ? Op::Ceil
+                  : name == "round" ? Op::Round
+                                    : Op::SquareRoot;
+    return make_operation(op, std::move(arguments), where);
+  }
+  Nodes before;
+  if (name == "mix") {
+    NodePtr result = mix(std::move(arguments), before, where);
+    result->precise = true;
+    return make_sequence(std::move(before), std::move(result), where);
+  }
+  const bool arrays =
+      std::any_of(arguments.begin(), arguments.end(), [](const NodePtr& node) { return node->type.is_array(); });
+  if (!arrays) return generic_scalar(name, std::move(arguments), where);
+  for (NodePtr& argument : arguments) argument = reuse(std::move(argument), before);
+  return make_sequence(std::move(before), each_element(name, arguments, where), where);
+}
+
+NodePtr Checker::smoothstep(Nodes arguments, Location where) {
+  Nodes before;
+  NodePtr low = reuse(std::move(arguments[0]), before);
+  NodePtr high = reuse(std::move(arguments[1]), before);
+  NodePtr above = make_operation(Op::Subtract, nodes(std::move(arguments[2]), clone(*low)), where);
+  NodePtr range = make_operation(Op::Subtract, nodes(std::move(high), std::move(low)), where);
+  NodePtr part = make_operation(Op::Divide, nodes(std::move(above), std::move(range)), where);
+  NodePtr t = greater(std::move(part), make_float(0, where), before);
+  t = reuse(lesser(std::move(t), make_float(1, where), before), before);
+  NodePtr square = make_operation(Op::Multiply, nodes(clone(*t), clone(*t)), where);
+  NodePtr twice = make_operation(Op::Multiply, nodes(make_float(2, where), std::move(t)), where);
+  NodePtr slope = make_operation(Op::Subtract, nodes(make_float(3, where), std::move(twice)), where);
+  NodePtr result = make_operation(Op::Multiply, nodes(std::move(square), std::move(slope)), where);
+  return make_sequence(std::move(before), std::move(result), where);
+}
+
+}  // namespace pfman
