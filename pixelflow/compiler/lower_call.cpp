@@ -1,0 +1,231 @@
+// Calls: functions are written in place, with copies of their parameters where those are written; external ones get
+// their arguments as whole variables.
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+#include "pixelflow/compiler/lowering.h"
+
+namespace pfman {
+namespace {
+
+constexpr int kMostCalls = 20000;
+constexpr int kTooLong = 503;
+
+bool has_outputs(const Function& function) {
+  return std::any_of(function.parameters.begin(), function.parameters.end(),
+                     [](const Variable* parameter) { return parameter->output; });
+}
+
+}  // namespace
+
+bool Lowering::may_call() {
+  if (!too_long_ && ++calls_ > kMostCalls) {
+    too_long_ = true;
+    diagnostics_.add(kTooLong, shader_.where,
+                     "'" + shader_.name + "' is longer than " + std::to_string(kMostCalls) +
+                         " calls, one within the other, written in place");
+  }
+  return !too_long_;
+}
+
+void Lowering::store_uniform(Variable& variable, const Node& value) {
+  NodePtr assign = make_node(Op::Assign, variable.type, value.where);
+  assign->operands.push_back(make_reference(variable, value.where));
+  assign->operands.push_back(uniform_tree(value));
+  evaluate(std::move(assign));
+}
+
+std::vector<int> Lowering::variables_of(const Values& places, const Variable& parameter) {
+  const Scalar& scalar = parameter.type.scalar;
+  const bool together = indexed_.contains(&parameter);
+  std::vector<int> variables;
+  for (std::size_t n = 0; n < places.size(); ++n) {
+    const ir::Operand& place = places[n].at;
+    const ir::Variable& variable = code_.variables[static_cast<std::size_t>(place.variable)];
+    const int count = together ? parameter.type.count() : 1;
+    if (variable.scalar != scalar || variable.count != count || place.index >= 0) return {};
+    if (place.offset != (together ? static_cast<int>(n) * scalar.bytes() : 0)) return {};
+    if (together && n > 0 && place.variable != variables[0]) return {};
+    if (!together || n == 0) variables.push_back(place.variable);
+  }
+  return variables;
+}
+
+/// What a parameter that its function does not write stands for.
+Value Lowering::argument_value(const Value& value, const Function& function, const Scalar& type) {
+  Value ready = value;
+  if (!type.is_float) ready = wrapped(reduced(aligned(value, type.exponent, type.size), type));
+  // The function may change the caller's variables through its outputs.
+  if (!has_outputs(function)) return ready;
+  if (ready.at.kind == ir::Operand::Kind::Uniform) {
+    return uniform_value(make_reference(*hoist(tree_of(ready)), where_));
+  }
+  if (code_.variables[static_cast<std::size_t>(ready.at.variable)].temporary) return ready;
+  ready.at = operate(Code::Copy, contents_of(ready), ready.at);
+  return ready;
+}
+
+Values Lowering::lower_call(const Node& node) {
+  const Function& function = *node.function;
+  if (function.is_external) return external_call(node);
+  if (!may_call()) {
+    Values dummies;
+    for (int n = 0; n < function.result.count(); ++n) {
+      dummies.push_back(function.result.varying ? Value{temporary(function.result.scalar), function.result.scalar}
+                                                : Value{constant(0, function.result.scalar), function.result.scalar});
+    }
+    return dummies;
+  }
+
+  std::map<const Variable*, Binding> bound;
+  std::vector<std::size_t> copied_back;
+  std::set<int> taken;
+  std::set<const Variable*> taken_uniforms;
+  for (std::size_t n = 0; n < node.operands.size(); ++n) {
+    const Variable& parameter = *function.parameters[n];
+    const Node& argument = *node.operands[n];
+    Binding& binding_of_parameter = bound[&parameter];
+    if (!parameter.type.varying) {
+      const bool itself =
+          parameter.output && argument.op == Op::Variable && argument.variable->type.scalar == parameter.type.scalar;
+      if (itself && taken_uniforms.insert(uniform_of(*argument.variable)).second) {
+        binding_of_parameter.uniform = uniform_of(*argument.variable);
+        continue;
+      }
+      Variable* const copy = hidden(parameter.type);
+      copy->name = parameter.name;
+      store_uniform(*copy, argument);
+      binding_of_parameter.uniform = copy;
+      if (parameter.output) copied_back.push_back(n);
+      continue;
+    }
+    const Values values = parameter.output ? place_of(argument) : lower_node(argument);
+    if (parameter.output) {
+      std::vector<int> variables = variables_of(values, parameter);
+      const bool free = std::none_of(variables.begin(), variables.end(), [&](int v) { return taken.contains(v); });
+      if (!variables.empty() && free) {
+        taken.insert(variables.begin(), variables.end());
+        binding_of_parameter.variables = std::move(variables);
+        continue;
+      }
+      copied_back.push_back(n);
+    } else if (!written_.contains(&parameter) && !indexed_.contains(&parameter)) {
+      for (int e = 0; e < parameter.type.count(); ++e) {
+        const Value& value = values[values.size() > 1 ? static_cast<std::size_t>(e) : 0];
+        binding_of_parameter.values.push_back(argument_value(value, function, parameter.type.scalar));
+      }
+      continue;
+    }
+    bindings_.erase(&parameter);
+    binding_of_parameter = binding(parameter);
+    for (int e = 0; e < parameter.type.count(); ++e) {
+      const bool together = binding_of_parameter.variables.size() == 1;
+      const ir::Operand d = together ? whole(binding_of_parameter.variables[0], e)
+                                     : whole(binding_of_parameter.variables[static_cast<std::size_t>(e)]);
+      store({d, parameter.type.scalar}, values[values.size() > 1 ? static_cast<std::size_t>(e) : 0]);
+    }
+  }
+  // The function's own variables are this call's alone.
+  const auto callers = bindings_;
+  for (auto& [parameter, binding_of_parameter] : bound) bindings_[parameter] = binding_of_parameter;
+
+  ++depth_;
+  const Location where = where_;
+  lower_body(function.body);
+  Values result;
+  if (function.value) {
+    if (is_uniform(*function.value)) {
+      result = elements_of(*hoist(uniform_tree(*function.value)));
+    } else {
+      result = lower_node(*function.value);
+    }
+  }
+  where_ = where;
+  --depth_;
+  for (const std::size_t n : copied_back) {
+    const Variable& parameter = *function.parameters[n];
+    const Node& argument = *node.operands[n];
+    if (!parameter.type.varying) {
+      NodePtr assign = make_node(Op::Assign, argument.type, argument.where);
+      NodePtr value = make_reference(*bound[&parameter].uniform, argument.where);
+      bindings_ = callers;
+      assign->operands.push_back(uniform_tree(argument));
+      assign->operands.push_back(std::move(value));
+      evaluate(std::move(assign));
+      continue;
+    }
+    const Node reference = [&] {
+      Node made{};
+      made.op = Op::Variable;
+      made.type = parameter.type;
+      made.variable = const_cast<Variable*>(&parameter);
+      return made;
+    }();
+    bindings_[&parameter] = bound[&parameter];
+    const Values values = place_of(reference);
+    bindings_ = callers;
+    store(argument, values);
+  }
+  bindings_ = callers;
+  return result;
+}
+
+/// An argument is a variable of its own, as it is declared, in one piece.
+Values Lowering::external_call(const Node& node) {
+  const Function& function = *node.function;
+  const bool all_uniform = std::none_of(function.parameters.begin(), function.parameters.end(),
+                                        [](const Variable* parameter) { return parameter->type.varying; });
+  if (all_uniform && (function.result.is_void || !function.result.varying)) {
+    evaluate(uniform_tree(node));
+    return {};
+  }
+  ir::Instruction call;
+  call.kind = Kind::External;
+  call.external = &function;
+  std::vector<std::pair<const Node*, int>> copied_back;
+  for (std::size_t n = 0; n < node.operands.size(); ++n) {
+    const Variable& parameter = *function.parameters[n];
+    const Node& argument = *node.operands[n];
+    if (!parameter.type.varying) {
+      NodePtr tree = uniform_tree(argument);
+      if (has_effects(*tree)) tree = make_reference(*hoist(std::move(tree)), argument.where);
+      ir::Operand operand;
+      operand.kind = ir::Operand::Kind::Uniform;
+      operand.is_signed = parameter.type.scalar.is_signed;
+      operand.bytes = parameter.type.scalar.bytes();
+      operand.uniform = add_uniform(std::move(tree));
+      call.arguments.push_back(operand);
+      continue;
+    }
+    const Values values = parameter.output ? place_of(argument) : lower_node(argument);
+    const ir::Operand& first = values.at(0).at;
+    if (first.kind == ir::Operand::Kind::Pixel && values.size() == static_cast<std::size_t>(parameter.type.count())) {
+      const ir::Variable& variable = code_.variables[static_cast<std::size_t>(first.variable)];
+      const bool together = variable.count == parameter.type.count() && variable.scalar == parameter.type.scalar;
+      if (together && first.offset == 0 && first.index < 0 && first.bytes == parameter.type.scalar.bytes()) {
+        call.arguments.push_back(first);
+        continue;
+      }
+    }
+    const int copy = gathered(values, parameter.type.scalar, parameter.type.count());
+    if (parameter.output) copied_back.push_back({&argument, copy});
+    call.arguments.push_back(whole(copy));
+  }
+  Values result;
+  if (!function.result.is_void) {
+    const int variable = add_variable({}, function.result.scalar, function.result.count(), true);
+    call.d = whole(variable);
+    for (int n = 0; n < function.result.count(); ++n) result.push_back({whole(variable, n), function.result.scalar});
+  }
+  append(std::move(call));
+  for (const auto& [argument, copy] : copied_back) {
+    Values values;
+    const ir::Variable& variable = code_.variables[static_cast<std::size_t>(copy)];
+    for (int n = 0; n < variable.count; ++n) values.push_back({whole(copy, n), variable.scalar});
+    store(*argument, values);
+  }
+  return result;
+}
+
+}  // namespace pfman

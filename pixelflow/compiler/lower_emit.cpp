@@ -1,0 +1,227 @@
+// Instructions one by one, and the places that variables of the tree have in pixel memory.
+#include "cmodel/pixelflow/macro.h"
+#include "pixelflow/compiler/lowering.h"
+
+namespace pfman {
+namespace {
+
+/// Far beyond what fits a stream; calls within calls, written in place, would otherwise grow without end.
+constexpr std::size_t kMostInstructions = 100000;
+
+constexpr int kTooLong = 503;
+constexpr int kTooWide = 210;
+
+bool is_uniform_operand(const ir::Operand& operand) { return operand.kind == ir::Operand::Kind::Uniform; }
+
+}  // namespace
+
+int bytes_of(int bits) { return (bits + 7) / 8; }
+
+void Lowering::error(const std::string& text) { diagnostics_.add(kTooWide, where_, text); }
+
+int Lowering::append(ir::Instruction instruction) {
+  if (code_.code.size() >= kMostInstructions && !too_long_) {
+    too_long_ = true;
+    diagnostics_.add(kTooLong, shader_.where,
+                     "'" + shader_.name + "' is longer than " + std::to_string(kMostInstructions) +
+                         " operations once its calls are written in place");
+  }
+  instruction.where = where_;
+  code_.code.push_back(std::move(instruction));
+  return static_cast<int>(code_.code.size()) - 1;
+}
+
+int Lowering::add_variable(const std::string& name, const Scalar& scalar, int count, bool temporary) {
+  ir::Variable variable;
+  variable.name = name.empty() ? "t" + std::to_string(++temporaries_) : name;
+  variable.scalar = scalar;
+  variable.count = count;
+  variable.temporary = temporary;
+  variable.where = where_;
+  code_.variables.push_back(std::move(variable));
+  return static_cast<int>(code_.variables.size()) - 1;
+}
+
+ir::Operand Lowering::whole(int variable, int element) const {
+  const Scalar& scalar = code_.variables[static_cast<std::size_t>(variable)].scalar;
+  ir::Operand operand;
+  operand.kind = ir::Operand::Kind::Pixel;
+  operand.is_signed = scalar.is_signed;
+  operand.variable = variable;
+  operand.bytes = scalar.bytes();
+  operand.offset = element * operand.bytes;
+  return operand;
+}
+
+ir::Operand Lowering::constant(std::uint64_t raw, const Scalar& type) {
+  return uniform_value(make_literal(raw, type, where_)).at;
+}
+
+/// Operations without a number in pixel memory do not exist: where everything is the same in all pixels, one operand
+/// is stored first.
+ir::Operand Lowering::pixel(const ir::Operand& operand) {
+  if (!is_uniform_operand(operand)) return operand;
+  const ir::Operand stored = temporary(code_.uniforms[static_cast<std::size_t>(operand.uniform)]->type.scalar);
+  operate_into(stored, Code::Copy, operand);
+  return stored;
+}
+
+void Lowering::operate_into(const ir::Operand& d, Code code, ir::Operand a, ir::Operand b, int scale) {
+  if (code != Code::Copy && is_uniform_operand(a) && (!b || is_uniform_operand(b))) a = pixel(a);
+  ir::Instruction instruction;
+  instruction.code = code;
+  instruction.scale = scale;
+  instruction.d = d;
+  instruction.a = a;
+  instruction.b = b;
+  append(std::move(instruction));
+}
+
+ir::Operand Lowering::operate(Code code, const Scalar& type, ir::Operand a, ir::Operand b, int scale) {
+  const ir::Operand d = temporary(type);
+  operate_into(d, code, a, b, scale);
+  return d;
+}
+
+ir::Operand Lowering::join(Kind kind, const Scalar& type, ir::Operand a, ir::Operand b) {
+  if (is_uniform_operand(a) && is_uniform_operand(b)) a = pixel(a);
+  ir::Instruction instruction;
+  instruction.kind = kind;
+  instruction.d = temporary(type);
+  a.bytes = b.bytes = instruction.d.bytes;
+  instruction.a = a;
+  instruction.b = b;
+  const ir::Operand d = instruction.d;
+  append(std::move(instruction));
+  return d;
+}
+
+ir::Operand Lowering::select(const ir::Operand& condition, const Scalar& type, const ir::Operand& a,
+                             const ir::Operand& b) {
+  ir::Instruction instruction;
+  instruction.kind = Kind::Select;
+  instruction.d = temporary(type);
+  instruction.condition = condition;
+  instruction.a = a;
+  instruction.b = b;
+  instruction.a.bytes = instruction.b.bytes = instruction.d.bytes;
+  const ir::Operand d = instruction.d;
+  append(std::move(instruction));
+  return d;
+}
+
+NodePtr Lowering::index_tree(const Node& node) {
+  NodePtr tree = uniform_tree(node);
+  if (has_effects(*tree)) tree = make_reference(*hoist(std::move(tree)), node.where);
+  return make_unary(Op::Saturate, Scalar::fixed(true, 64, 0), std::move(tree));
+}
+
+/// Elements by an index that is known when the stream is made: they must lie one after another.
+Value Lowering::first_of(const Values& all, const Scalar& scalar) {
+  bool together = true;
+  for (std::size_t n = 0; n < all.size(); ++n) {
+    const ir::Operand& operand = all[n].at;
+    together = together && operand.kind == ir::Operand::Kind::Pixel && operand.index < 0 &&
+               operand.variable == all[0].at.variable &&
+               operand.offset == all[0].at.offset + static_cast<int>(n) * scalar.bytes();
+  }
+  return together ? all.at(0) : Value{whole(gathered(all, scalar)), scalar};
+}
+
+/// An index for each dimension becomes one for the whole: looked up in an array of the elements' numbers, so that each
+/// is held to its own dimension.
+NodePtr Lowering::table_lookup(const Node& element, int rows, int columns) {
+  Type type;
+  type.scalar = Scalar::fixed(false, 32, 0);
+  Type row_type = type;
+  row_type.rank = 1;
+  row_type.dimensions = {columns, 1};
+  Type table_type = row_type;
+  table_type.rank = 2;
+  table_type.dimensions = {rows, columns};
+  NodePtr table = make_node(Op::Array, table_type, element.where);
+  for (int r = 0; r < rows; ++r) {
+    NodePtr row = make_node(Op::Array, row_type, element.where);
+    for (int c = 0; c < columns; ++c) {
+      row->operands.push_back(make_literal(static_cast<std::uint64_t>(r * columns + c), type.scalar, element.where));
+    }
+    table->operands.push_back(std::move(row));
+  }
+  NodePtr row = make_node(Op::Element, row_type, element.operands[0]->where);
+  row->operands.push_back(make_reference(*hoist(std::move(table)), element.where));
+  row->operands.push_back(index_tree(*element.operands[0]->operands[1]));
+  NodePtr number = make_node(Op::Element, type, element.where);
+  number->operands.push_back(std::move(row));
+  number->operands.push_back(index_tree(*element.operands[1]));
+  return number;
+}
+
+/// The scalars of an element, or of a row of a two-dimensional array.
+Values Lowering::element_of(const Node& node) {
+  const Node& array = *node.operands[0];
+  const bool in_row = array.op == Op::Element;
+  const Node& base = in_row ? *array.operands[0] : array;
+  const Node& first = in_row ? *array.operands[1] : *node.operands[1];
+  const Node* const second = in_row ? node.operands[1].get() : nullptr;
+  const int rows = base.type.dimensions[0], columns = base.type.rank == 2 ? base.type.dimensions[1] : 1;
+  const int count = base.type.rank == 2 && !second ? columns : 1;
+
+  const auto known = [](const Node& index) {
+    const int exponent = index.type.scalar.exponent;
+    return static_cast<int>(exponent >= 0 ? index.raw >> exponent : index.raw << -exponent);
+  };
+  const bool row_known = first.op == Op::Literal, column_known = !second || second->op == Op::Literal;
+  const Values all = place_of(base);
+  const int before = (row_known ? known(first) * columns : 0) + (second && column_known ? known(*second) : 0);
+  if (row_known && column_known) {
+    if (before < 0 || before + count > static_cast<int>(all.size())) {
+      throw std::logic_error("a constant index out of range");
+    }
+    return Values(all.begin() + before, all.begin() + before + count);
+  }
+
+  Value element = first_of(all, base.type.scalar);
+  const int bytes = base.type.scalar.bytes();
+  element.at.offset += before * bytes;
+  NodePtr index;
+  if (!row_known && !column_known) {
+    index = table_lookup(node, rows, columns);
+    element.at.elements = rows * columns;
+  } else if (row_known) {
+    index = index_tree(*second);
+    element.at.elements = columns;
+  } else {
+    index = index_tree(first);
+    element.at.elements = (rows - 1) * columns + 1;
+    if (columns > 1) {
+      const Scalar wide = index->type.scalar;
+      NodePtr factor = make_literal(static_cast<std::uint64_t>(columns), wide, where_);
+      index = make_binary(Op::Multiply, wide, std::move(index), std::move(factor));
+    }
+  }
+  element.at.index = add_uniform(std::move(index));
+  Values result;
+  for (int n = 0; n < count; ++n) {
+    result.push_back(element);
+    element.at.offset += bytes;
+  }
+  return result;
+}
+
+/// The scalars that a variable or an element consists of, as they are declared.
+Values Lowering::place_of(const Node& node) {
+  if (node.op == Op::Element) return element_of(node);
+  if (node.op != Op::Variable) return lower_node(node);
+  const Binding& bound = binding(*node.variable);
+  if (!bound.values.empty()) return bound.values;
+  const Scalar& scalar = node.variable->type.scalar;
+  Values values;
+  for (int n = 0; n < node.variable->type.count(); ++n) {
+    const bool together = bound.variables.size() == 1;
+    values.push_back(
+        {together ? whole(bound.variables[0], n) : whole(bound.variables[static_cast<std::size_t>(n)]), scalar});
+  }
+  return values;
+}
+
+}  // namespace pfman

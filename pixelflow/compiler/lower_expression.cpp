@@ -1,0 +1,290 @@
+// Expressions that vary: arrays taken apart, assignments, choices, conditions.
+#include <algorithm>
+#include <stdexcept>
+
+#include "pixelflow/compiler/lowering.h"
+
+namespace pfman {
+namespace {
+
+bool is_comparison(Node::Op op) {
+  using Op = Node::Op;
+  return op == Op::Less || op == Op::LessEqual || op == Op::Equal || op == Op::NotEqual;
+}
+
+}  // namespace
+
+Values Lowering::lower_node(const Node& node) {
+  const Location before = where_;
+  where_ = node.where;
+  Values values = is_uniform(node) && !node.type.is_void ? uniform_values(node) : lower_varying(node);
+  where_ = before;
+  return values;
+}
+
+Values Lowering::lower_varying(const Node& node) {
+  const auto as_node = [&](Values values) {
+    if (!node.type.scalar.is_float) {
+      for (Value& value : values) value = finished(value, node.type.scalar);
+    }
+    return values;
+  };
+  switch (node.op) {
+    case Op::Variable:
+    case Op::Element: return as_node(place_of(node));
+    case Op::Array: {
+      Values all;
+      for (const NodePtr& operand : node.operands) {
+        const Values part = lower_node(*operand);
+        all.insert(all.end(), part.begin(), part.end());
+      }
+      return as_node(std::move(all));
+    }
+    case Op::Less:
+    case Op::LessEqual:
+    case Op::Equal:
+    case Op::NotEqual: return {{compare(node), Scalar::boolean()}};
+    case Op::Select: return lower_select(node);
+    case Op::Assign: return lower_assign(node);
+    case Op::Sequence: {
+      Values last;
+      for (const NodePtr& operand : node.operands) last = lower_node(*operand);
+      return as_node(std::move(last));
+    }
+    case Op::Postfix: {
+      Values old = place_of(*node.operands[0]);
+      for (Value& value : old) value.at = operate(Code::Copy, value.type, value.at);
+      store(*node.operands[0], lower_node(*node.operands[1]));
+      return as_node(std::move(old));
+    }
+    case Op::Call: return as_node(lower_call(node));
+    case Op::Noise: return as_node({lower_noise(node)});
+    case Op::CellNoise: return as_node({lower_cell_noise(node)});
+    case Op::Turbulence: return {lower_turbulence(node)};
+    case Op::Texture:
+    case Op::Environment: return as_node(lower_lookup(node));
+    case Op::Literal: throw std::logic_error("a literal that varies");
+    default: return lower_elementwise(node);
+  }
+}
+
+Values Lowering::lower_elementwise(const Node& node) {
+  const Values a = lower_node(*node.operands[0]);
+  const bool shifts = node.op == Op::ShiftLeft || node.op == Op::ShiftRight;
+  Values result;
+  if (shifts) {
+    for (const Value& value : a) result.push_back(fixed_shift(node, value));
+    return result;
+  }
+  if (node.operands.size() == 1) {
+    for (const Value& value : a) result.push_back(lower_unary(node, value));
+    return result;
+  }
+  const Values b = lower_node(*node.operands[1]);
+  for (std::size_t n = 0; n < std::max(a.size(), b.size()); ++n) {
+    result.push_back(lower_binary(node, a[a.size() > 1 ? n : 0], b[b.size() > 1 ? n : 0]));
+  }
+  return result;
+}
+
+Value Lowering::lower_unary(const Node& node, const Value& a) {
+  const Scalar& type = node.type.scalar;
+  const bool is_float = a.type.is_float;
+  switch (node.op) {
+    case Op::Convert: {
+      if (type.is_float) return to_float(a);
+      // What it converts to; of that, only as much as is wanted may remain.
+      return finished(convert(a, node.exact, false), type);
+    }
+    case Op::Saturate: return finished(convert(a, node.exact, true), type);
+    case Op::Negate: {
+      if (is_float) return float_negate(a);
+      const Value zero{constant(0, Scalar::fixed(false, 1, a.type.exponent)), Scalar::fixed(false, 1, a.type.exponent)};
+      return fixed_add(zero, a, true, type);
+    }
+    case Op::Complement: return fixed_complement(a, type);
+    case Op::Not: return logical_not(a);
+    case Op::Abs: return is_float ? float_abs(a) : fixed_abs(a, type);
+    case Op::Floor:
+    case Op::Ceil:
+    case Op::Round: return is_float ? float_round(node.op, a) : fixed_round(node.op, a, type);
+    case Op::SquareRoot:
+      if (!is_float) return fixed_square_root(a, type);
+      return {operate(Code::FloatSquareRoot, type, a.at), type};
+    case Op::Math: return {operate(node.math, type, a.at), type};
+    default: throw std::logic_error("an operator of one operand that is none");
+  }
+}
+
+Value Lowering::lower_binary(const Node& node, const Value& a, const Value& b) {
+  const Scalar& type = node.type.scalar;
+  if (a.type.is_float) {
+    switch (node.op) {
+      case Op::Add: return float_binary(Code::FloatAdd, a, b);
+      case Op::Subtract: return float_binary(Code::FloatSub, a, b);
+      case Op::Multiply: return float_binary(Code::FloatMultiply, a, b);
+      case Op::Divide: return float_binary(Code::FloatDivide, a, b);
+      case Op::Remainder: return float_remainder(a, b);
+      case Op::Math: return float_binary(node.math, a, b);
+      default: throw std::logic_error("an operator that floats do not have");
+    }
+  }
+  switch (node.op) {
+    case Op::Add: return fixed_add(a, b, false, type);
+    case Op::Subtract: return fixed_add(a, b, true, type);
+    case Op::Multiply: return fixed_multiply(a, b, type);
+    case Op::Divide: return fixed_divide(a, b, type);
+    case Op::Remainder: return fixed_remainder(a, b, type);
+    case Op::BitAnd:
+    case Op::BitOr:
+    case Op::BitXor: return fixed_bitwise(node.op, a, b, type);
+    case Op::And:
+    case Op::Or: {
+      const Kind kind = node.op == Op::And ? Kind::And : Kind::Or;
+      return {join(kind, Scalar::boolean(), wrapped(a).at, wrapped(b).at), Scalar::boolean()};
+    }
+    default: throw std::logic_error("an operator of two operands that is none");
+  }
+}
+
+Value Lowering::convert(const Value& value, const Scalar& to, bool saturate) {
+  if (value.type.is_float) return to_fixed(value, to);
+  return saturate ? fixed_saturate(value, to) : fixed_convert(value, to);
+}
+
+Value Lowering::logical_not(const Value& value) {
+  const Scalar boolean = Scalar::boolean();
+  return {join(Kind::Xor, boolean, wrapped(value).at, constant(1, boolean)), boolean};
+}
+
+/// Both ways are computed; a uniform condition chooses on the host.
+Values Lowering::lower_select(const Node& node) {
+  const Node& test = *node.operands[0];
+  const Scalar& type = node.type.scalar;
+  if (is_uniform(test)) {
+    Values result;
+    for (int n = 0; n < node.type.count(); ++n) result.push_back({temporary(type), type});
+    int opening = begin_if(uniform_tree(test));
+    for (const std::size_t way : {1u, 2u}) {
+      if (way == 2) opening = begin_else(opening);
+      const Values values = lower_node(*node.operands[way]);
+      for (std::size_t n = 0; n < result.size(); ++n) store(result[n], values[values.size() > 1 ? n : 0]);
+    }
+    end_if(opening);
+    return result;
+  }
+
+  // A comparison comes last, so that its result need not leave K; its operands come first, as in the text.
+  const bool compares = options_.fuse && is_comparison(test.op) && test.op != Op::NotEqual &&
+                        !test.operands[0]->type.is_array() && node.type.count() == 1;
+  Value p, q;
+  ir::Operand chosen;
+  if (compares) {
+    p = lower_scalar(*test.operands[0]);
+    q = lower_scalar(*test.operands[1]);
+  } else {
+    chosen = pixel(wrapped(lower_scalar(test)).at);
+  }
+  Values a = lower_node(*node.operands[1]), b = lower_node(*node.operands[2]);
+  Values result;
+  for (std::size_t n = 0; n < static_cast<std::size_t>(node.type.count()); ++n) {
+    Value x = a[a.size() > 1 ? n : 0], y = b[b.size() > 1 ? n : 0];
+    Scalar held = type;
+    bool exact = true;
+    if (!type.is_float) {
+      x = finished(x, type);
+      y = finished(y, type);
+      const int exponent = std::max(x.type.exponent, y.type.exponent);
+      const Scalar most = at_exponent(type, exponent);
+      const Scalar both = pfman::join(at_exponent(x.type, exponent), at_exponent(y.type, exponent));
+      exact = x.exact && y.exact && fits(both, most);
+      held = exact ? both : most;
+      const auto prepared = [&](const Value& way) {
+        return extended(needed(aligned(way, exponent, held.size), held.size), held.bytes());
+      };
+      x = prepared(x);
+      y = prepared(y);
+    }
+    if (compares) chosen = compare_values(test.op, p, q, false);
+    Value value{select(chosen, held, x.at, y.at), held, exact};
+    result.push_back(exact ? value : with_type(value, held));
+  }
+  return result;
+}
+
+ir::Operand Lowering::condition(const Node& node) {
+  if (options_.fuse && is_comparison(node.op) && node.op != Op::NotEqual && !node.operands[0]->type.is_array() &&
+      !node.operands[1]->type.is_array()) {
+    const Value a = lower_scalar(*node.operands[0]), b = lower_scalar(*node.operands[1]);
+    return compare_values(node.op, a, b, false);
+  }
+  return pixel(wrapped(lower_scalar(node)).at);
+}
+
+ir::Operand Lowering::compare(const Node& node) {
+  const Values a = lower_node(*node.operands[0]), b = lower_node(*node.operands[1]);
+  const Scalar boolean = Scalar::boolean();
+  const bool equality = node.op == Op::Equal || node.op == Op::NotEqual;
+  const Op op = equality ? Op::Equal : node.op;
+  ir::Operand all;
+  for (std::size_t n = 0; n < std::max(a.size(), b.size()); ++n) {
+    const ir::Operand one = compare_values(op, a[a.size() > 1 ? n : 0], b[b.size() > 1 ? n : 0], true);
+    all = n == 0 ? one : join(Kind::And, boolean, all, one);
+  }
+  return node.op == Op::NotEqual ? logical_not({all, boolean}).at : all;
+}
+
+/// To a byte of 0 or 1, or to K alone.
+ir::Operand Lowering::compare_values(Op op, const Value& a, const Value& b, bool to_byte) {
+  const bool keep = to_byte || !options_.fuse;
+  Code code = op == Op::Less ? Code::Less : op == Op::LessEqual ? Code::LessEqual : Code::Equal;
+  Value p = a, q = b;
+  if (a.type.is_float) {
+    code = op == Op::Less ? Code::FloatLess : op == Op::LessEqual ? Code::FloatLessEqual : Code::FloatEqual;
+  } else {
+    constexpr int kMostBits = 64;
+    const int exponent = std::max(a.type.exponent, b.type.exponent);
+    for (Value* const value : {&p, &q}) {
+      const int size = value->type.size + exponent - value->type.exponent;
+      if (size > kMostBits) {
+        error("comparison needs " + std::to_string(size) + " bits; " + std::to_string(kMostBits) + " are possible");
+        return keep ? temporary(Scalar::boolean()) : ir::Operand{};
+      }
+      *value = aligned(wrapped(*value), exponent, kMostBits);
+    }
+  }
+  ir::Operand d;
+  if (keep) d = temporary(Scalar::boolean());
+  operate_into(d, code, p.at, q.at);
+  return d;
+}
+
+Values Lowering::lower_assign(const Node& node) {
+  const Node& target = *node.operands[0];
+  Values values = lower_node(*node.operands[1]);
+  Values places = place_of(target);
+  // No element may change before all of the right side has been read.
+  for (std::size_t n = 0; n < values.size() && values.size() > 1; ++n) {
+    const ir::Operand& from = values[n].at;
+    const bool touched = from.kind == ir::Operand::Kind::Pixel &&
+                         std::any_of(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(n),
+                                     [&](const Value& place) { return place.at.variable == from.variable; });
+    if (touched) values[n].at = operate(Code::Copy, contents_of(values[n]), from);
+  }
+  for (std::size_t n = 0; n < places.size(); ++n) store(places[n], values[values.size() > 1 ? n : 0]);
+  return places;
+}
+
+void Lowering::store(const Node& target, const Values& values) {
+  const Values places = place_of(target);
+  for (std::size_t n = 0; n < places.size(); ++n) store(places[n], values[values.size() > 1 ? n : 0]);
+}
+
+void Lowering::store(const Value& target, const Value& value) {
+  if (target.type.is_float) return operate_into(target.at, Code::Copy, value.at);
+  const Value ready = reduced(aligned(value, target.type.exponent, target.type.size), target.type);
+  if (ready.exact) return operate_into(target.at, Code::Copy, ready.at);
+  operate_into(target.at, Code::Wrap, ready.at, {}, target.type.size);
+}
+
+}  // namespace pfman

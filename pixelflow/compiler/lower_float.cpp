@@ -1,0 +1,86 @@
+// Floats: conversions, signs, rounding to integers, remainders. The one NaN is 0x7FC00000 and stays it.
+#include "pixelflow/compiler/lowering.h"
+
+namespace pfman {
+namespace {
+
+constexpr int kLeastScale = -64, kMostScale = 128;  ///< of conversions
+constexpr std::uint64_t kSign = 0x80000000, kHalf = 0x3F000000;
+constexpr std::uint64_t kTopOfNan = 0x7FC0;         ///< upper two bytes of NaN, and of no other number
+constexpr std::uint64_t kTopOfWholeNumbers = 0x4B;  ///< top byte of 2^23, from which on all floats are whole numbers
+
+}  // namespace
+
+Value Lowering::to_float(const Value& value) {
+  if (value.type.is_float) return value;
+  const Value known = wrapped(value);
+  const Scalar type = Scalar::floating();
+  if (known.type.exponent < kLeastScale || known.type.exponent > kMostScale) {
+    error("a fixed-point number with " + std::to_string(known.type.exponent) +
+          " bits behind the point cannot become a float; " + std::to_string(kLeastScale) + " to " +
+          std::to_string(kMostScale) + " are possible");
+    return {temporary(type), type};
+  }
+  return {operate(Code::FixedToFloat, type, known.at, {}, known.type.exponent), type};
+}
+
+Value Lowering::to_fixed(const Value& value, const Scalar& to) {
+  const ir::Operand d = operate(Code::FloatToFixed, to, value.at, {}, to.exponent);
+  if (to.size == 8 * to.bytes()) return {d, to};
+  return {operate(Code::Saturate, to, d, {}, to.size), to};
+}
+
+Value Lowering::float_binary(Code code, const Value& a, const Value& b) {
+  return {operate(code, Scalar::floating(), a.at, b.at), Scalar::floating()};
+}
+
+/// Another sign bit, but for NaN, which the upper two bytes tell.
+Value Lowering::float_negate(const Value& value) {
+  const Scalar type = Scalar::floating();
+  const ir::Operand own = pixel(value.at);
+  const ir::Operand other = join(Kind::Xor, type, own, constant(kSign, type));
+  ir::Operand top = own;
+  top.offset += 2;
+  top.bytes = 2;
+  top.is_signed = false;
+  const Scalar two = Scalar::fixed(false, 16, 0);
+  const ir::Operand test = compare_values(Op::Equal, {top, two}, {constant(kTopOfNan, two), two}, false);
+  return {select(test, type, own, other), type};
+}
+
+Value Lowering::float_abs(const Value& value) {
+  const Scalar type = Scalar::floating();
+  return {join(Kind::And, type, pixel(value.at), constant(kSign - 1, type)), type};
+}
+
+/// By way of an integer of 24 bits; numbers from 2^23 on, infinities and NaN are what they are.
+Value Lowering::float_round(Op op, const Value& value) {
+  const Scalar type = Scalar::floating(), integer = Scalar::fixed(true, 24, 0), wide = Scalar::fixed(true, 25, 0);
+  Value x{pixel(value.at), type};
+  if (op == Op::Round) x = float_binary(Code::FloatAdd, x, {constant(kHalf, type), type});
+  ir::Operand whole_number;
+  if (op == Op::Ceil) {
+    const ir::Operand opposite = join(Kind::Xor, type, x.at, constant(kSign, type));
+    const ir::Operand floor = operate(Code::FloatToFixed, integer, opposite);
+    whole_number = operate(Code::Sub, wide, constant(0, integer), floor);
+  } else {
+    whole_number = operate(Code::FloatToFixed, integer, x.at);
+  }
+  const ir::Operand rounded = operate(Code::FixedToFloat, type, whole_number);
+  ir::Operand top = x.at;
+  top.offset += 3;
+  top.bytes = 1;
+  const Scalar byte = Scalar::fixed(false, 8, 0);
+  const ir::Operand magnitude = join(Kind::And, byte, top, constant(0x7F, byte));
+  const Value limit{constant(kTopOfWholeNumbers, byte), byte};
+  const ir::Operand test = compare_values(Op::LessEqual, limit, {magnitude, byte}, false);
+  return {select(test, type, x.at, rounded), type};
+}
+
+/// a - b floor(a / b), each step rounded.
+Value Lowering::float_remainder(const Value& a, const Value& b) {
+  const Value quotient = float_round(Op::Floor, float_binary(Code::FloatDivide, a, b));
+  return float_binary(Code::FloatSub, a, float_binary(Code::FloatMultiply, b, quotient));
+}
+
+}  // namespace pfman
