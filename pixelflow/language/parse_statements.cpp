@@ -139,9 +139,16 @@ StatementPtr Parser::for_statement() {
   take();
   const Location open = expect("(");
   if (at_type()) {
-    report(102, now().where, "the clauses of 'for' are expressions; declare its variable before it");
-    declarator(specifiers());
-    result->expressions.push_back(nullptr);
+    const Location where = now().where;
+    const ast::SpecifiersPtr specs = specifiers();
+    if (at("(")) {
+      pending_ = finish_cast(specs, false, where);
+      result->expressions.push_back(expression());
+    } else {
+      report(102, where, "the clauses of 'for' are expressions; declare its variable before it");
+      declarator(specs);
+      result->expressions.push_back(nullptr);
+    }
   } else {
     result->expressions.push_back(at(";") ? nullptr : expression());
   }

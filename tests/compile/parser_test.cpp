@@ -146,6 +146,11 @@ TEST(language_parser, loops) {
       "      empty\n");
 }
 
+TEST(language_parser, a_cast_begins_a_for) {
+  EXPECT_EQ(statement("for (float(a); ;) ;"),
+            "    for\n      cast\n        to float\n        name a\n      nothing\n      nothing\n      empty\n");
+}
+
 TEST(language_parser, light_statements_take_their_arguments) {
   EXPECT_EQ(statement("illuminance () ; illuminance (a) ; illuminance (a, b, c) ;"),
             "    illuminance\n      empty\n    illuminance\n      name a\n      empty\n    illuminance\n      name a\n"
