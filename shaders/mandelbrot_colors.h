@@ -10,7 +10,7 @@ fixed<16,16> wave(fixed<24,16> x)
 }
 
 // What `count`, of at most `most`, is shown as. Without colours its two bytes are shown as they are, for those who count.
-void show_count(fixed<16,0> count, uniform int most, uniform float bands, uniform bool plain,
+void show_count(fixed<16,0> count, uniform int most, uniform fixed<16,12> bands, uniform bool plain,
                 output fixed<8,8> shown[3])
 {
     if (plain) {
