@@ -16,6 +16,7 @@ class Flow {
   explicit Flow(const ir::Code& code) : code_(code.code), size_(static_cast<int>(code_.size())), next_(size_) {
     for (int i = 0; i < size_; ++i) {
       if (code_[i].kind == Kind::LoopNext) steps_.push_back({match(i), i});
+      if (code_[i].kind == Kind::Break || code_[i].kind == Kind::LoopTest) exits_.push_back({match(i), i});
     }
   }
 
@@ -66,8 +67,15 @@ class Flow {
       case Kind::EndLoop: return {match(i)};
       case Kind::Break:
       case Kind::BreakMasked: return {behind_loop(match(i))};
-      case Kind::Continue:
-      case Kind::ContinueMasked: return {step_of(match(i))};
+      case Kind::Continue: return {step_of(match(i))};
+      case Kind::ContinueMasked: {
+        // The host goes on without the pixel, and may leave the loop before the iteration ends.
+        const int loop = match(i), step = step_of(loop);
+        const bool may_leave = std::any_of(exits_.begin(), exits_.end(), [&](const auto& exit) {
+          return exit.first == loop && exit.second > i && exit.second < step;
+        });
+        return may_leave ? std::vector{step, behind_loop(loop)} : std::vector{step};
+      }
       default: return {straight};
     }
   }
@@ -91,6 +99,7 @@ class Flow {
   int size_;
   std::vector<std::vector<int>> next_;
   std::vector<std::pair<int, int>> steps_;  ///< loop, its LoopNext
+  std::vector<std::pair<int, int>> exits_;  ///< loop, where the host may leave it
 };
 
 }  // namespace
@@ -103,7 +112,7 @@ std::vector<std::vector<int>> predecessors(const std::vector<std::vector<int>>& 
   std::vector<bool> reached(size + 1, false);
   std::vector<int> open;
   const auto reach = [&](int start) {
-    before[start].push_back(-1);
+    before[start].push_back(start - 1);
     reached[start] = true;
     open.push_back(start);
     while (!open.empty()) {
@@ -123,6 +132,7 @@ std::vector<std::vector<int>> predecessors(const std::vector<std::vector<int>>& 
   for (int i = 0; i < size; ++i) {
     for (const int next : successors[i]) before[next].push_back(i);
   }
+  for (std::vector<int>& from : before) std::sort(from.begin(), from.end());
   return before;
 }
 

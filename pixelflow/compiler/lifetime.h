@@ -14,8 +14,8 @@ namespace pfman {
 /// body is a loop over the lights.
 std::vector<std::vector<int>> successors(const ir::Code& code);
 
-/// Where it may come from, in ascending order, for code.size() as well. -1 is the start of the shader; code that no
-/// pixel reaches counts as reached from there.
+/// Where it may come from, in ascending order, for code.size() as well. -1 is the start of the shader; what no pixel
+/// reaches, behind a jump, counts as reached from the instruction before it.
 std::vector<std::vector<int>> predecessors(const std::vector<std::vector<int>>& successors);
 
 /// Renames variables so that every definition has one of its own, with φ-functions where control flow meets (pruned:
