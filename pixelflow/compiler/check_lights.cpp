@@ -8,7 +8,8 @@
 //       if (dot(px_light_ray, axis) / (px_light_distance * length(axis)) < cos(angle)) all three colours = 0;
 //   solar(axis, angle) S             px_light_ray = normalize(axis); px_light_direction = -px_light_ray; S
 //
-// A light starts with black colours and, where it has neither illuminate nor solar, direction 0; at its end the
+// A light starts with black colours. One with neither illuminate nor solar is ambient: its direction is 0, and at its
+// end the ambient colour becomes the diffuse one, if no statement assigns it, and the diffuse one black. At last the
 // specular colour becomes the diffuse one if no statement assigns it.
 #include <algorithm>
 #include <array>
@@ -261,11 +262,17 @@ void Checker::light_colors_before(Statements& out) {
 void Checker::light_colors_after(Statements& out) {
   const Location where = around_.definition->where;
   const auto& assigned = around_.colors_assigned;
-  around_.shader->three_colours = assigned.size() == kColors.size();
-  if (assigned.contains("px_light_specular")) return;
-  NodePtr color = make_read(communicated("px_light_color"), where);
-  out.push_back(
-      make_evaluate(make_assign(make_read(communicated("px_light_specular"), where), std::move(color), where)));
+  const auto assign = [&](const char* name, NodePtr value) {
+    out.push_back(make_evaluate(make_assign(make_read(communicated(name), where), std::move(value), where)));
+  };
+  const auto color = [&] { return make_read(communicated("px_light_color"), where); };
+  const bool ambient = !around_.source_seen;
+  if (ambient) {
+    if (!assigned.contains("px_light_ambient")) assign("px_light_ambient", color());
+    assign("px_light_color", zeros(communicated("px_light_color")->type.scalar, where));
+  }
+  around_.shader->three_colours = ambient || assigned.size() == kColors.size();
+  if (!assigned.contains("px_light_specular")) assign("px_light_specular", color());
 }
 
 }  // namespace pfman

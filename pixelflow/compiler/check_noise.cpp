@@ -16,7 +16,12 @@ Value Checker::noise(const std::string& name, Values arguments, Location where) 
     }
   }
   Nodes given;
-  settle_together(std::move(arguments), given);
+  if (name == "cellnoise") {
+    // Cells are found by integers: each argument keeps its own type.
+    for (Value& argument : arguments) given.push_back(settle(std::move(argument)));
+  } else {
+    settle_together(std::move(arguments), given);
+  }
   if (std::any_of(given.begin(), given.end(), [](const NodePtr& node) { return !node; })) return {};
   Nodes before, coordinates;
   if (point) {
