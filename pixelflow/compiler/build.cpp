@@ -148,6 +148,38 @@ NodePtr element_of_variable(const Node& array, const Node& index) {
 
 }  // namespace
 
+namespace {
+
+bool elements_follow(const Node& node, const Node& index) {
+  switch (node.op) {
+    case Op::Variable:
+    case Op::Element: return true;
+    case Op::Array: return index.op == Op::Literal;
+    case Op::Sequence: return elements_follow(*node.operands.back(), index);
+    case Op::Negate:
+    case Op::Add:
+    case Op::Subtract:
+    case Op::Multiply:
+    case Op::Divide:
+    case Op::Remainder:
+    case Op::Select:
+    case Op::Convert:
+    case Op::Saturate:
+    case Op::Abs:
+    case Op::Floor:
+    case Op::Ceil:
+    case Op::Round:
+      return std::all_of(node.operands.begin(), node.operands.end(), [&](const NodePtr& operand) {
+        return !operand->type.is_array() || elements_follow(*operand, index);
+      });
+    default: return false;
+  }
+}
+
+}  // namespace
+
+bool has_elements(const Node& array, const Node& index) { return is_pure(array) && elements_follow(array, index); }
+
 NodePtr make_element(const Node& array, const Node& index) {
   switch (array.op) {
     case Op::Variable:

@@ -35,7 +35,9 @@ NodePtr make_sequence(Nodes before, NodePtr value, Location where);
 NodePtr make_convert(NodePtr node, const Scalar& to);
 NodePtr to_float(NodePtr node);
 
-/// Element of an array: of an operation, the operation on the operands' elements. The array is pure, or a variable.
+/// Whether the elements of a pure expression are expressions of its operands' elements.
+bool has_elements(const Node& array, const Node& index);
+/// Element of an array that has_elements(): of an operation, the operation on the operands' elements.
 NodePtr make_element(const Node& array, const Node& index);
 NodePtr make_element(const Node& array, int index);
 

@@ -50,7 +50,7 @@ bool Checker::assignable(const ast::Expression& expression, bool varying, Locati
     return true;
   }
   const Symbol* symbol = find(name);
-  if (symbol->protection != nullptr) {
+  if (symbol->protection != nullptr && !(symbol->shared && in_common_code_)) {
     error(306, where, "cannot assign to " + std::string(symbol->protection) + " '" + name + "'");
     return false;
   }

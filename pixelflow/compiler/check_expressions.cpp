@@ -71,37 +71,6 @@ NodePtr Checker::index_of(const Type& array, const ast::Expression& expression) 
   return make_integer(*value, node->where);
 }
 
-namespace {
-
-/// Elements of such an expression are expressions of its operands' elements.
-bool has_elements(const Node& node, const Node& index) {
-  switch (node.op) {
-    case Op::Variable:
-    case Op::Element: return true;
-    case Op::Array: return index.op == Op::Literal;
-    case Op::Sequence: return has_elements(*node.operands.back(), index);
-    case Op::Negate:
-    case Op::Add:
-    case Op::Subtract:
-    case Op::Multiply:
-    case Op::Divide:
-    case Op::Remainder:
-    case Op::Select:
-    case Op::Convert:
-    case Op::Saturate:
-    case Op::Abs:
-    case Op::Floor:
-    case Op::Ceil:
-    case Op::Round:
-      return std::all_of(node.operands.begin(), node.operands.end(), [&](const NodePtr& operand) {
-        return !operand->type.is_array() || has_elements(*operand, index);
-      });
-    default: return false;
-  }
-}
-
-}  // namespace
-
 Value Checker::index(const ast::Expression& expression) {
   NodePtr array = settle(this->expression(*expression.operands[0]));
   if (!array) return {};
@@ -114,7 +83,7 @@ Value Checker::index(const ast::Expression& expression) {
   if (array->op == Op::Variable || array->op == Op::Element) return Value::typed(make_element(*array, *index));
   Nodes before;
   if (!is_plain(*index)) index = reuse(std::move(index), before);
-  if (!is_pure(*array) || !has_elements(*array, *index)) array = keep(std::move(array), before);
+  if (!has_elements(*array, *index)) array = keep(std::move(array), before);
   return Value::typed(make_sequence(std::move(before), make_element(*array, *index), expression.where));
 }
 

@@ -22,6 +22,14 @@ NodePtr Checker::reuse(NodePtr node, Nodes& before) {
   return keep(std::move(node), before);
 }
 
+/// An argument of which each element is used once. Arrays of floats are calculated an element at a time, so that they
+/// need not be stored whole; fixed ones keep every bit.
+NodePtr Checker::by_elements(NodePtr node, Nodes& before) {
+  const bool apart =
+      node->type.is_array() && node->exact.is_float && has_elements(*node, *make_integer(0, node->where));
+  return apart ? std::move(node) : reuse(std::move(node), before);
+}
+
 /// The second one where it is less.
 NodePtr Checker::lesser(NodePtr a, NodePtr b, Nodes& before) {
   const Location where = a->where;
@@ -63,7 +71,9 @@ bool is_unary(const std::string& name) {
 
 NodePtr Checker::mix(Nodes arguments, Nodes& before, Location where) {
   const bool real = arguments[0]->exact.is_float;
-  for (NodePtr& argument : arguments) argument = reuse(std::move(argument), before);
+  for (std::size_t n = 0; n < 3; ++n) {
+    if (n == 2 || !real) arguments[n] = reuse(std::move(arguments[n]), before);
+  }
   NodePtr one = real ? make_float(1, where) : make_integer(1, where);
   NodePtr rest = make_operation(Op::Subtract, nodes(std::move(one), clone(*arguments[2])), where);
   if (arguments[0]->type.is_array()) rest = keep(std::move(rest), before);
@@ -153,7 +163,7 @@ NodePtr Checker::generic(const std::string& name, Nodes arguments, Location wher
   const bool arrays =
       std::any_of(arguments.begin(), arguments.end(), [](const NodePtr& node) { return node->type.is_array(); });
   if (!arrays) return generic_scalar(name, std::move(arguments), where);
-  for (NodePtr& argument : arguments) argument = reuse(std::move(argument), before);
+  for (NodePtr& argument : arguments) argument = by_elements(std::move(argument), before);
   return make_sequence(std::move(before), each_element(name, arguments, where), where);
 }
 

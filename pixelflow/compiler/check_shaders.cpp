@@ -28,15 +28,8 @@ void Checker::check_shader(const ast::Definition& definition) {
           "surface '" + definition.name + "' needs the parameter 'output varying px_shader_color'");
   }
   Statements body;
-  if (definition.body) {
-    scopes_.emplace_back();
-    if (surface) {
-      surface_body(definition, body);
-    } else {
-      block(definition.body->body, body, true);
-    }
-    scopes_.pop_back();
-  }
+  if (definition.body && surface) surface_body(definition, body);
+  if (definition.body && !surface) block(definition.body->body, body, true);
   prologue(shader, shader.body);
   if (!surface) light_colors_before(shader.body);
   for (StatementPtr& statement : body) shader.body.push_back(std::move(statement));

@@ -39,14 +39,14 @@ Symbol& Checker::declare(Variable* variable, const char* protection) {
                       variable->where,
                       "'" + name + "' is declared twice in the same block",
                       {{found->second.variable->where, "the first declaration"}}});
-  } else if (const Symbol* outer = find(name)) {
+  } else if (const Symbol* outer = in_common_code_ ? nullptr : find(name)) {
     diagnostics_.add({605,
                       variable->where,
                       "'" + name + "' hides a variable of the same name",
                       {{outer->variable->where, "the hidden variable"}}});
   }
   Symbol& symbol = scope[name];
-  symbol = {variable, protection, around_.masks, around_.loops.size(), false};
+  symbol = {variable, protection, around_.masks, around_.loops.size(), false, false};
   return symbol;
 }
 

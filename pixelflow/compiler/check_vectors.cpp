@@ -69,7 +69,8 @@ Value Checker::vectors(const std::string& name, Values arguments, Location where
   Nodes before;
   for (NodePtr& node : given) {
     if (float_only) node = to_float(std::move(node));
-    node = reuse(std::move(node), before);
+    const bool once = name == "dot" || name == "distance";
+    node = once ? by_elements(std::move(node), before) : reuse(std::move(node), before);
   }
   NodePtr result;
   if (name == "dot") {

@@ -50,6 +50,7 @@ struct Symbol {
   int masks = 0;                     ///< varying conditions around its declaration
   std::size_t loops = 0;             ///< loops around its declaration
   bool used = false;
+  bool shared = false;  ///< common code of several shaders may assign it
 };
 
 class Checker {
@@ -167,6 +168,7 @@ class Checker {
   NodePtr each_element(const std::string& name, const Nodes& arguments, Location where);
   NodePtr keep(NodePtr node, Nodes& before);   ///< in a hidden variable
   NodePtr reuse(NodePtr node, Nodes& before);  ///< the same, unless it is plain
+  NodePtr by_elements(NodePtr node, Nodes& before);
   NodePtr normalized(NodePtr vector, Nodes& before);
   NodePtr lesser(NodePtr a, NodePtr b, Nodes& before);
   NodePtr greater(NodePtr a, NodePtr b, Nodes& before);
@@ -190,6 +192,9 @@ class Checker {
   void light_colors_before(Statements& out);
   void light_colors_after(Statements& out);
   void read_flags();
+  void shared_variable(const char* name, const Scalar& scalar, int elements, bool varying, bool result,
+                       Statements& out);
+  void insert_common(const std::string& flag, Location where, Statements& out);
 
   const ast::Unit& unit_;
   Tree& tree_;
@@ -199,6 +204,9 @@ class Checker {
   std::map<const ast::Definition*, std::unique_ptr<Function>> all_functions_;
   std::map<std::string, Variable*> light_variables_;
   bool point_used_ = false;  ///< the surface point, by what the language does itself
+  std::map<const ast::Definition*, std::map<std::string, Location>> flags_;
+  std::vector<ast::StatementPtr> common_;  ///< common code put into shaders
+  bool in_common_code_ = false;
   Environment constants_;
   std::set<const Variable*> known_;  ///< those of them that have a value
   Surroundings around_;
