@@ -12,5 +12,6 @@ void add_frame(CLI::App& app);
 void add_segments(CLI::App& app, const std::string& command_line);
 void add_explain(CLI::App& app, const std::string& command_line);
 void add_tables(CLI::App& app, const std::string& command_line);
+void add_shader(CLI::App& app);
 
 }  // namespace program

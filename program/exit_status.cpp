@@ -20,6 +20,8 @@ ExitStatus report_exception() {
   } catch (const scanline::UserError& mistake) {  // its text says "error:" behind each file and line
     std::fprintf(stderr, "%s\n", mistake.what());
     return kUserMistake;
+  } catch (const Reported&) {
+    return kUserMistake;
   } catch (const vsg::LockstepError& mismatch) {
     return report(mismatch.what(), kLockstepMismatch);
   } catch (const std::bad_alloc&) {

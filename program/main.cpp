@@ -43,6 +43,7 @@ int main(int argc, char** argv) {
   program::add_segments(app, command_line);
   program::add_explain(app, command_line);
   program::add_tables(app, command_line);
+  program::add_shader(app);
 
   program::remove_partial_files_on_signals();
   try {
