@@ -29,14 +29,7 @@ bool Lowering::may_call() {
   return !too_long_;
 }
 
-void Lowering::store_uniform(Variable& variable, const Node& value) {
-  NodePtr assign = make_node(Op::Assign, variable.type, value.where);
-  assign->operands.push_back(make_reference(variable, value.where));
-  assign->operands.push_back(uniform_tree(value));
-  evaluate(std::move(assign));
-}
-
-std::vector<int> Lowering::variables_of(const Values& places, const Variable& parameter) {
+std::vector<int> Lowering::variables_of(const Terms& places, const Variable& parameter) {
   const Scalar& scalar = parameter.type.scalar;
   const bool together = indexed_.contains(&parameter);
   std::vector<int> variables;
@@ -53,27 +46,27 @@ std::vector<int> Lowering::variables_of(const Values& places, const Variable& pa
 }
 
 /// What a parameter that its function does not write stands for.
-Value Lowering::argument_value(const Value& value, const Function& function, const Scalar& type) {
-  Value ready = value;
+Term Lowering::argument_value(const Term& value, const Function& function, const Scalar& type) {
+  Term ready = value;
   if (!type.is_float) ready = wrapped(reduced(aligned(value, type.exponent, type.size), type));
   // The function may change the caller's variables through its outputs.
   if (!has_outputs(function)) return ready;
   if (ready.at.kind == ir::Operand::Kind::Uniform) {
-    return uniform_value(make_reference(*hoist(tree_of(ready)), where_));
+    return uniform_value(make_read(hoist(tree_of(ready)), where_));
   }
   if (code_.variables[static_cast<std::size_t>(ready.at.variable)].temporary) return ready;
   ready.at = operate(Code::Copy, contents_of(ready), ready.at);
   return ready;
 }
 
-Values Lowering::lower_call(const Node& node) {
+Terms Lowering::lower_call(const Node& node) {
   const Function& function = *node.function;
   if (function.is_external) return external_call(node);
   if (!may_call()) {
-    Values dummies;
+    Terms dummies;
     for (int n = 0; n < function.result.count(); ++n) {
-      dummies.push_back(function.result.varying ? Value{temporary(function.result.scalar), function.result.scalar}
-                                                : Value{constant(0, function.result.scalar), function.result.scalar});
+      dummies.push_back(function.result.varying ? Term{temporary(function.result.scalar), function.result.scalar}
+                                                : Term{constant(0, function.result.scalar), function.result.scalar});
     }
     return dummies;
   }
@@ -95,12 +88,12 @@ Values Lowering::lower_call(const Node& node) {
       }
       Variable* const copy = hidden(parameter.type);
       copy->name = parameter.name;
-      store_uniform(*copy, argument);
+      assign(copy, uniform_tree(argument));
       binding_of_parameter.uniform = copy;
       if (parameter.output) copied_back.push_back(n);
       continue;
     }
-    const Values values = parameter.output ? place_of(argument) : lower_node(argument);
+    const Terms values = parameter.output ? place_of(argument) : lower_node(argument);
     if (parameter.output) {
       std::vector<int> variables = variables_of(values, parameter);
       const bool free = std::none_of(variables.begin(), variables.end(), [&](int v) { return taken.contains(v); });
@@ -112,7 +105,7 @@ Values Lowering::lower_call(const Node& node) {
       copied_back.push_back(n);
     } else if (!written_.contains(&parameter) && !indexed_.contains(&parameter)) {
       for (int e = 0; e < parameter.type.count(); ++e) {
-        const Value& value = values[values.size() > 1 ? static_cast<std::size_t>(e) : 0];
+        const Term& value = values[values.size() > 1 ? static_cast<std::size_t>(e) : 0];
         binding_of_parameter.values.push_back(argument_value(value, function, parameter.type.scalar));
       }
       continue;
@@ -133,10 +126,10 @@ Values Lowering::lower_call(const Node& node) {
   ++depth_;
   const Location where = where_;
   lower_body(function.body);
-  Values result;
+  Terms result;
   if (function.value) {
     if (is_uniform(*function.value)) {
-      result = elements_of(*hoist(uniform_tree(*function.value)));
+      result = elements_of(hoist(uniform_tree(*function.value)));
     } else {
       result = lower_node(*function.value);
     }
@@ -147,23 +140,14 @@ Values Lowering::lower_call(const Node& node) {
     const Variable& parameter = *function.parameters[n];
     const Node& argument = *node.operands[n];
     if (!parameter.type.varying) {
-      NodePtr assign = make_node(Op::Assign, argument.type, argument.where);
-      NodePtr value = make_reference(*bound[&parameter].uniform, argument.where);
+      NodePtr value = make_read(bound[&parameter].uniform, argument.where);
       bindings_ = callers;
-      assign->operands.push_back(uniform_tree(argument));
-      assign->operands.push_back(std::move(value));
-      evaluate(std::move(assign));
+      evaluate(make_assign(uniform_tree(argument), std::move(value), argument.where));
       continue;
     }
-    const Node reference = [&] {
-      Node made{};
-      made.op = Op::Variable;
-      made.type = parameter.type;
-      made.variable = const_cast<Variable*>(&parameter);
-      return made;
-    }();
+    const NodePtr reference = make_read(function.parameters[n], argument.where);
     bindings_[&parameter] = bound[&parameter];
-    const Values values = place_of(reference);
+    const Terms values = place_of(*reference);
     bindings_ = callers;
     store(argument, values);
   }
@@ -172,7 +156,7 @@ Values Lowering::lower_call(const Node& node) {
 }
 
 /// An argument is a variable of its own, as it is declared, in one piece.
-Values Lowering::external_call(const Node& node) {
+Terms Lowering::external_call(const Node& node) {
   const Function& function = *node.function;
   const bool all_uniform = std::none_of(function.parameters.begin(), function.parameters.end(),
                                         [](const Variable* parameter) { return parameter->type.varying; });
@@ -188,17 +172,15 @@ Values Lowering::external_call(const Node& node) {
     const Variable& parameter = *function.parameters[n];
     const Node& argument = *node.operands[n];
     if (!parameter.type.varying) {
-      NodePtr tree = uniform_tree(argument);
-      if (has_effects(*tree)) tree = make_reference(*hoist(std::move(tree)), argument.where);
       ir::Operand operand;
       operand.kind = ir::Operand::Kind::Uniform;
       operand.is_signed = parameter.type.scalar.is_signed;
       operand.bytes = parameter.type.scalar.bytes();
-      operand.uniform = add_uniform(std::move(tree));
+      operand.uniform = add_uniform(once(uniform_tree(argument)));
       call.arguments.push_back(operand);
       continue;
     }
-    const Values values = parameter.output ? place_of(argument) : lower_node(argument);
+    const Terms values = parameter.output ? place_of(argument) : lower_node(argument);
     const ir::Operand& first = values.at(0).at;
     if (first.kind == ir::Operand::Kind::Pixel && values.size() == static_cast<std::size_t>(parameter.type.count())) {
       const ir::Variable& variable = code_.variables[static_cast<std::size_t>(first.variable)];
@@ -212,7 +194,7 @@ Values Lowering::external_call(const Node& node) {
     if (parameter.output) copied_back.push_back({&argument, copy});
     call.arguments.push_back(whole(copy));
   }
-  Values result;
+  Terms result;
   if (!function.result.is_void) {
     const int variable = add_variable({}, function.result.scalar, function.result.count(), true);
     call.d = whole(variable);
@@ -220,7 +202,7 @@ Values Lowering::external_call(const Node& node) {
   }
   append(std::move(call));
   for (const auto& [argument, copy] : copied_back) {
-    Values values;
+    Terms values;
     const ir::Variable& variable = code_.variables[static_cast<std::size_t>(copy)];
     for (int n = 0; n < variable.count; ++n) values.push_back({whole(copy, n), variable.scalar});
     store(*argument, values);

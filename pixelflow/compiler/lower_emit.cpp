@@ -54,7 +54,7 @@ ir::Operand Lowering::whole(int variable, int element) const {
 }
 
 ir::Operand Lowering::constant(std::uint64_t raw, const Scalar& type) {
-  return uniform_value(make_literal(raw, type, where_)).at;
+  return uniform_value(make_literal(type, raw, where_)).at;
 }
 
 /// Operations without a number in pixel memory do not exist: where everything is the same in all pixels, one operand
@@ -111,13 +111,11 @@ ir::Operand Lowering::select(const ir::Operand& condition, const Scalar& type, c
 }
 
 NodePtr Lowering::index_tree(const Node& node) {
-  NodePtr tree = uniform_tree(node);
-  if (has_effects(*tree)) tree = make_reference(*hoist(std::move(tree)), node.where);
-  return make_unary(Op::Saturate, Scalar::fixed(true, 64, 0), std::move(tree));
+  return make_node(Op::Saturate, Scalar::fixed(true, 64, 0), nodes(once(uniform_tree(node))), node.where);
 }
 
 /// Elements by an index that is known when the stream is made: they must lie one after another.
-Value Lowering::first_of(const Values& all, const Scalar& scalar) {
+Term Lowering::first_of(const Terms& all, const Scalar& scalar) {
   bool together = true;
   for (std::size_t n = 0; n < all.size(); ++n) {
     const ir::Operand& operand = all[n].at;
@@ -125,39 +123,28 @@ Value Lowering::first_of(const Values& all, const Scalar& scalar) {
                operand.variable == all[0].at.variable &&
                operand.offset == all[0].at.offset + static_cast<int>(n) * scalar.bytes();
   }
-  return together ? all.at(0) : Value{whole(gathered(all, scalar)), scalar};
+  return together ? all.at(0) : Term{whole(gathered(all, scalar)), scalar};
 }
 
 /// An index for each dimension becomes one for the whole: looked up in an array of the elements' numbers, so that each
 /// is held to its own dimension.
 NodePtr Lowering::table_lookup(const Node& element, int rows, int columns) {
-  Type type;
-  type.scalar = Scalar::fixed(false, 32, 0);
-  Type row_type = type;
-  row_type.rank = 1;
-  row_type.dimensions = {columns, 1};
-  Type table_type = row_type;
-  table_type.rank = 2;
-  table_type.dimensions = {rows, columns};
-  NodePtr table = make_node(Op::Array, table_type, element.where);
+  const Scalar number = Scalar::fixed(false, 32, 0);
+  Nodes table;
   for (int r = 0; r < rows; ++r) {
-    NodePtr row = make_node(Op::Array, row_type, element.where);
+    Nodes row;
     for (int c = 0; c < columns; ++c) {
-      row->operands.push_back(make_literal(static_cast<std::uint64_t>(r * columns + c), type.scalar, element.where));
+      row.push_back(make_literal(number, static_cast<std::uint64_t>(r * columns + c), element.where));
     }
-    table->operands.push_back(std::move(row));
+    table.push_back(make_array(std::move(row), element.where));
   }
-  NodePtr row = make_node(Op::Element, row_type, element.operands[0]->where);
-  row->operands.push_back(make_reference(*hoist(std::move(table)), element.where));
-  row->operands.push_back(index_tree(*element.operands[0]->operands[1]));
-  NodePtr number = make_node(Op::Element, type, element.where);
-  number->operands.push_back(std::move(row));
-  number->operands.push_back(index_tree(*element.operands[1]));
-  return number;
+  const NodePtr whole_table = make_read(hoist(make_array(std::move(table), element.where)), element.where);
+  const NodePtr row = make_element(*whole_table, *index_tree(*element.operands[0]->operands[1]));
+  return make_element(*row, *index_tree(*element.operands[1]));
 }
 
 /// The scalars of an element, or of a row of a two-dimensional array.
-Values Lowering::element_of(const Node& node) {
+Terms Lowering::element_of(const Node& node) {
   const Node& array = *node.operands[0];
   const bool in_row = array.op == Op::Element;
   const Node& base = in_row ? *array.operands[0] : array;
@@ -171,16 +158,16 @@ Values Lowering::element_of(const Node& node) {
     return static_cast<int>(exponent >= 0 ? index.raw >> exponent : index.raw << -exponent);
   };
   const bool row_known = first.op == Op::Literal, column_known = !second || second->op == Op::Literal;
-  const Values all = place_of(base);
+  const Terms all = place_of(base);
   const int before = (row_known ? known(first) * columns : 0) + (second && column_known ? known(*second) : 0);
   if (row_known && column_known) {
     if (before < 0 || before + count > static_cast<int>(all.size())) {
       throw std::logic_error("a constant index out of range");
     }
-    return Values(all.begin() + before, all.begin() + before + count);
+    return Terms(all.begin() + before, all.begin() + before + count);
   }
 
-  Value element = first_of(all, base.type.scalar);
+  Term element = first_of(all, base.type.scalar);
   const int bytes = base.type.scalar.bytes();
   element.at.offset += before * bytes;
   NodePtr index;
@@ -195,12 +182,12 @@ Values Lowering::element_of(const Node& node) {
     element.at.elements = (rows - 1) * columns + 1;
     if (columns > 1) {
       const Scalar wide = index->type.scalar;
-      NodePtr factor = make_literal(static_cast<std::uint64_t>(columns), wide, where_);
-      index = make_binary(Op::Multiply, wide, std::move(index), std::move(factor));
+      NodePtr factor = make_literal(wide, static_cast<std::uint64_t>(columns), where_);
+      index = make_node(Op::Multiply, wide, nodes(std::move(index), std::move(factor)), first.where);
     }
   }
   element.at.index = add_uniform(std::move(index));
-  Values result;
+  Terms result;
   for (int n = 0; n < count; ++n) {
     result.push_back(element);
     element.at.offset += bytes;
@@ -209,13 +196,13 @@ Values Lowering::element_of(const Node& node) {
 }
 
 /// The scalars that a variable or an element consists of, as they are declared.
-Values Lowering::place_of(const Node& node) {
+Terms Lowering::place_of(const Node& node) {
   if (node.op == Op::Element) return element_of(node);
   if (node.op != Op::Variable) return lower_node(node);
   const Binding& bound = binding(*node.variable);
   if (!bound.values.empty()) return bound.values;
   const Scalar& scalar = node.variable->type.scalar;
-  Values values;
+  Terms values;
   for (int n = 0; n < node.variable->type.count(); ++n) {
     const bool together = bound.variables.size() == 1;
     values.push_back(

@@ -14,18 +14,18 @@ bool is_comparison(Node::Op op) {
 
 }  // namespace
 
-Values Lowering::lower_node(const Node& node) {
+Terms Lowering::lower_node(const Node& node) {
   const Location before = where_;
   where_ = node.where;
-  Values values = is_uniform(node) && !node.type.is_void ? uniform_values(node) : lower_varying(node);
+  Terms values = is_uniform(node) && !node.type.is_void ? uniform_values(node) : lower_varying(node);
   where_ = before;
   return values;
 }
 
-Values Lowering::lower_varying(const Node& node) {
-  const auto as_node = [&](Values values) {
+Terms Lowering::lower_varying(const Node& node) {
+  const auto as_node = [&](Terms values) {
     if (!node.type.scalar.is_float) {
-      for (Value& value : values) value = finished(value, node.type.scalar);
+      for (Term& value : values) value = finished(value, node.type.scalar);
     }
     return values;
   };
@@ -33,9 +33,9 @@ Values Lowering::lower_varying(const Node& node) {
     case Op::Variable:
     case Op::Element: return as_node(place_of(node));
     case Op::Array: {
-      Values all;
+      Terms all;
       for (const NodePtr& operand : node.operands) {
-        const Values part = lower_node(*operand);
+        const Terms part = lower_node(*operand);
         all.insert(all.end(), part.begin(), part.end());
       }
       return as_node(std::move(all));
@@ -47,13 +47,13 @@ Values Lowering::lower_varying(const Node& node) {
     case Op::Select: return lower_select(node);
     case Op::Assign: return lower_assign(node);
     case Op::Sequence: {
-      Values last;
+      Terms last;
       for (const NodePtr& operand : node.operands) last = lower_node(*operand);
       return as_node(std::move(last));
     }
     case Op::Postfix: {
-      Values old = place_of(*node.operands[0]);
-      for (Value& value : old) value.at = operate(Code::Copy, value.type, value.at);
+      Terms old = place_of(*node.operands[0]);
+      for (Term& value : old) value.at = operate(Code::Copy, value.type, value.at);
       store(*node.operands[0], lower_node(*node.operands[1]));
       return as_node(std::move(old));
     }
@@ -68,26 +68,26 @@ Values Lowering::lower_varying(const Node& node) {
   }
 }
 
-Values Lowering::lower_elementwise(const Node& node) {
-  const Values a = lower_node(*node.operands[0]);
+Terms Lowering::lower_elementwise(const Node& node) {
+  const Terms a = lower_node(*node.operands[0]);
   const bool shifts = node.op == Op::ShiftLeft || node.op == Op::ShiftRight;
-  Values result;
+  Terms result;
   if (shifts) {
-    for (const Value& value : a) result.push_back(fixed_shift(node, value));
+    for (const Term& value : a) result.push_back(fixed_shift(node, value));
     return result;
   }
   if (node.operands.size() == 1) {
-    for (const Value& value : a) result.push_back(lower_unary(node, value));
+    for (const Term& value : a) result.push_back(lower_unary(node, value));
     return result;
   }
-  const Values b = lower_node(*node.operands[1]);
+  const Terms b = lower_node(*node.operands[1]);
   for (std::size_t n = 0; n < std::max(a.size(), b.size()); ++n) {
     result.push_back(lower_binary(node, a[a.size() > 1 ? n : 0], b[b.size() > 1 ? n : 0]));
   }
   return result;
 }
 
-Value Lowering::lower_unary(const Node& node, const Value& a) {
+Term Lowering::lower_unary(const Node& node, const Term& a) {
   const Scalar& type = node.type.scalar;
   const bool is_float = a.type.is_float;
   switch (node.op) {
@@ -99,7 +99,7 @@ Value Lowering::lower_unary(const Node& node, const Value& a) {
     case Op::Saturate: return finished(convert(a, node.exact, true), type);
     case Op::Negate: {
       if (is_float) return float_negate(a);
-      const Value zero{constant(0, Scalar::fixed(false, 1, a.type.exponent)), Scalar::fixed(false, 1, a.type.exponent)};
+      const Term zero{constant(0, Scalar::fixed(false, 1, a.type.exponent)), Scalar::fixed(false, 1, a.type.exponent)};
       return fixed_add(zero, a, true, type);
     }
     case Op::Complement: return fixed_complement(a, type);
@@ -116,7 +116,7 @@ Value Lowering::lower_unary(const Node& node, const Value& a) {
   }
 }
 
-Value Lowering::lower_binary(const Node& node, const Value& a, const Value& b) {
+Term Lowering::lower_binary(const Node& node, const Term& a, const Term& b) {
   const Scalar& type = node.type.scalar;
   if (a.type.is_float) {
     switch (node.op) {
@@ -147,27 +147,27 @@ Value Lowering::lower_binary(const Node& node, const Value& a, const Value& b) {
   }
 }
 
-Value Lowering::convert(const Value& value, const Scalar& to, bool saturate) {
+Term Lowering::convert(const Term& value, const Scalar& to, bool saturate) {
   if (value.type.is_float) return to_fixed(value, to);
   return saturate ? fixed_saturate(value, to) : fixed_convert(value, to);
 }
 
-Value Lowering::logical_not(const Value& value) {
+Term Lowering::logical_not(const Term& value) {
   const Scalar boolean = Scalar::boolean();
   return {join(Kind::Xor, boolean, wrapped(value).at, constant(1, boolean)), boolean};
 }
 
 /// Both ways are computed; a uniform condition chooses on the host.
-Values Lowering::lower_select(const Node& node) {
+Terms Lowering::lower_select(const Node& node) {
   const Node& test = *node.operands[0];
   const Scalar& type = node.type.scalar;
   if (is_uniform(test)) {
-    Values result;
+    Terms result;
     for (int n = 0; n < node.type.count(); ++n) result.push_back({temporary(type), type});
     int opening = begin_if(uniform_tree(test));
     for (const std::size_t way : {1u, 2u}) {
       if (way == 2) opening = begin_else(opening);
-      const Values values = lower_node(*node.operands[way]);
+      const Terms values = lower_node(*node.operands[way]);
       for (std::size_t n = 0; n < result.size(); ++n) store(result[n], values[values.size() > 1 ? n : 0]);
     }
     end_if(opening);
@@ -177,7 +177,7 @@ Values Lowering::lower_select(const Node& node) {
   // A comparison comes last, so that its result need not leave K; its operands come first, as in the text.
   const bool compares = options_.fuse && is_comparison(test.op) && test.op != Op::NotEqual &&
                         !test.operands[0]->type.is_array() && node.type.count() == 1;
-  Value p, q;
+  Term p, q;
   ir::Operand chosen;
   if (compares) {
     p = lower_scalar(*test.operands[0]);
@@ -185,10 +185,10 @@ Values Lowering::lower_select(const Node& node) {
   } else {
     chosen = pixel(wrapped(lower_scalar(test)).at);
   }
-  Values a = lower_node(*node.operands[1]), b = lower_node(*node.operands[2]);
-  Values result;
+  Terms a = lower_node(*node.operands[1]), b = lower_node(*node.operands[2]);
+  Terms result;
   for (std::size_t n = 0; n < static_cast<std::size_t>(node.type.count()); ++n) {
-    Value x = a[a.size() > 1 ? n : 0], y = b[b.size() > 1 ? n : 0];
+    Term x = a[a.size() > 1 ? n : 0], y = b[b.size() > 1 ? n : 0];
     Scalar held = type;
     bool exact = true;
     if (!type.is_float) {
@@ -199,14 +199,14 @@ Values Lowering::lower_select(const Node& node) {
       const Scalar both = pfman::join(at_exponent(x.type, exponent), at_exponent(y.type, exponent));
       exact = x.exact && y.exact && fits(both, most);
       held = exact ? both : most;
-      const auto prepared = [&](const Value& way) {
+      const auto prepared = [&](const Term& way) {
         return extended(needed(aligned(way, exponent, held.size), held.size), held.bytes());
       };
       x = prepared(x);
       y = prepared(y);
     }
     if (compares) chosen = compare_values(test.op, p, q, false);
-    Value value{select(chosen, held, x.at, y.at), held, exact};
+    Term value{select(chosen, held, x.at, y.at), held, exact};
     result.push_back(exact ? value : with_type(value, held));
   }
   return result;
@@ -215,14 +215,14 @@ Values Lowering::lower_select(const Node& node) {
 ir::Operand Lowering::condition(const Node& node) {
   if (options_.fuse && is_comparison(node.op) && node.op != Op::NotEqual && !node.operands[0]->type.is_array() &&
       !node.operands[1]->type.is_array()) {
-    const Value a = lower_scalar(*node.operands[0]), b = lower_scalar(*node.operands[1]);
+    const Term a = lower_scalar(*node.operands[0]), b = lower_scalar(*node.operands[1]);
     return compare_values(node.op, a, b, false);
   }
   return pixel(wrapped(lower_scalar(node)).at);
 }
 
 ir::Operand Lowering::compare(const Node& node) {
-  const Values a = lower_node(*node.operands[0]), b = lower_node(*node.operands[1]);
+  const Terms a = lower_node(*node.operands[0]), b = lower_node(*node.operands[1]);
   const Scalar boolean = Scalar::boolean();
   const bool equality = node.op == Op::Equal || node.op == Op::NotEqual;
   const Op op = equality ? Op::Equal : node.op;
@@ -235,16 +235,16 @@ ir::Operand Lowering::compare(const Node& node) {
 }
 
 /// To a byte of 0 or 1, or to K alone.
-ir::Operand Lowering::compare_values(Op op, const Value& a, const Value& b, bool to_byte) {
+ir::Operand Lowering::compare_values(Op op, const Term& a, const Term& b, bool to_byte) {
   const bool keep = to_byte || !options_.fuse;
   Code code = op == Op::Less ? Code::Less : op == Op::LessEqual ? Code::LessEqual : Code::Equal;
-  Value p = a, q = b;
+  Term p = a, q = b;
   if (a.type.is_float) {
     code = op == Op::Less ? Code::FloatLess : op == Op::LessEqual ? Code::FloatLessEqual : Code::FloatEqual;
   } else {
     constexpr int kMostBits = 64;
     const int exponent = std::max(a.type.exponent, b.type.exponent);
-    for (Value* const value : {&p, &q}) {
+    for (Term* const value : {&p, &q}) {
       const int size = value->type.size + exponent - value->type.exponent;
       if (size > kMostBits) {
         error("comparison needs " + std::to_string(size) + " bits; " + std::to_string(kMostBits) + " are possible");
@@ -259,30 +259,30 @@ ir::Operand Lowering::compare_values(Op op, const Value& a, const Value& b, bool
   return d;
 }
 
-Values Lowering::lower_assign(const Node& node) {
+Terms Lowering::lower_assign(const Node& node) {
   const Node& target = *node.operands[0];
-  Values values = lower_node(*node.operands[1]);
-  Values places = place_of(target);
+  Terms values = lower_node(*node.operands[1]);
+  Terms places = place_of(target);
   // No element may change before all of the right side has been read.
   for (std::size_t n = 0; n < values.size() && values.size() > 1; ++n) {
     const ir::Operand& from = values[n].at;
     const bool touched = from.kind == ir::Operand::Kind::Pixel &&
                          std::any_of(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(n),
-                                     [&](const Value& place) { return place.at.variable == from.variable; });
+                                     [&](const Term& place) { return place.at.variable == from.variable; });
     if (touched) values[n].at = operate(Code::Copy, contents_of(values[n]), from);
   }
   for (std::size_t n = 0; n < places.size(); ++n) store(places[n], values[values.size() > 1 ? n : 0]);
   return places;
 }
 
-void Lowering::store(const Node& target, const Values& values) {
-  const Values places = place_of(target);
+void Lowering::store(const Node& target, const Terms& values) {
+  const Terms places = place_of(target);
   for (std::size_t n = 0; n < places.size(); ++n) store(places[n], values[values.size() > 1 ? n : 0]);
 }
 
-void Lowering::store(const Value& target, const Value& value) {
+void Lowering::store(const Term& target, const Term& value) {
   if (target.type.is_float) return operate_into(target.at, Code::Copy, value.at);
-  const Value ready = reduced(aligned(value, target.type.exponent, target.type.size), target.type);
+  const Term ready = reduced(aligned(value, target.type.exponent, target.type.size), target.type);
   if (ready.exact) return operate_into(target.at, Code::Copy, ready.at);
   operate_into(target.at, Code::Wrap, ready.at, {}, target.type.size);
 }

@@ -1,4 +1,4 @@
-// Fixed point: sizes and exponents of numbers, sums, shifts, bits. Values are what the sizing passes define; a
+// Fixed point: sizes and exponents of numbers, sums, shifts, bits. Terms are what the sizing passes define; a
 // reduction to sizes that are no whole bytes is put off until somebody can see the difference.
 #include <algorithm>
 #include <stdexcept>
@@ -11,17 +11,17 @@ namespace {
 constexpr int kMostBits = 64;
 constexpr int kBitsOfByte = 8;
 
-bool is_uniform_value(const Value& value) { return value.at.kind == ir::Operand::Kind::Uniform; }
+bool is_uniform_value(const Term& value) { return value.at.kind == ir::Operand::Kind::Uniform; }
 
 Scalar resized(const Scalar& type, int size) { return Scalar::fixed(type.is_signed, size, type.exponent); }
 
 /// A uniform number in another type: exact, floored or reduced, on the host. A conversion to one bit would be to a
 /// bool, and mean something else.
 NodePtr converted_tree(NodePtr tree, const Scalar& type) {
-  if (type != Scalar::boolean()) return make_unary(Node::Op::Convert, type, std::move(tree));
   const Location where = tree->where;
-  NodePtr two = make_unary(Node::Op::Convert, Scalar::fixed(false, 2, 0), std::move(tree));
-  return make_binary(Node::Op::BitAnd, type, std::move(two), make_literal(1, type, where));
+  if (type != Scalar::boolean()) return make_node(Node::Op::Convert, type, nodes(std::move(tree)), where);
+  NodePtr two = make_node(Node::Op::Convert, Scalar::fixed(false, 2, 0), nodes(std::move(tree)), where);
+  return make_node(Node::Op::BitAnd, type, nodes(std::move(two), make_literal(type, 1, where)), where);
 }
 
 }  // namespace
@@ -35,15 +35,15 @@ bool fits(const Scalar& type, const Scalar& into) {
   return type.size + (into.is_signed && !type.is_signed ? 1 : 0) <= into.size;
 }
 
-Scalar contents_of(const Value& value) {
+Scalar contents_of(const Term& value) {
   if (value.type.is_float) return value.type;
   return Scalar::fixed(value.at.is_signed, kBitsOfByte * value.at.bytes, value.type.exponent);
 }
 
 /// The bytes at `value.at` are known in their low type.size bits. Exact if it has no others: where type.size is in
 /// whole bytes, fewer are read.
-Value Lowering::with_type(const Value& value, const Scalar& type) {
-  Value result = value;
+Term Lowering::with_type(const Term& value, const Scalar& type) {
+  Term result = value;
   result.type = type;
   result.exact = false;
   if (type.size % kBitsOfByte == 0 && kBitsOfByte * value.at.bytes >= type.size) {
@@ -54,7 +54,7 @@ Value Lowering::with_type(const Value& value, const Scalar& type) {
   return result;
 }
 
-Value Lowering::wrapped(const Value& value) {
+Term Lowering::wrapped(const Term& value) {
   if (value.exact || value.type.is_float) return value;
   const Scalar& type = value.type;
   const bool whole_bytes = type.size % kBitsOfByte == 0;
@@ -63,22 +63,22 @@ Value Lowering::wrapped(const Value& value) {
   return {at, type};
 }
 
-Value Lowering::needed(const Value& value, int bits) {
+Term Lowering::needed(const Term& value, int bits) {
   return value.exact || value.type.size >= bits ? value : wrapped(value);
 }
 
 /// To the same exponent's type, modulo its size.
-Value Lowering::reduced(const Value& value, const Scalar& type) {
+Term Lowering::reduced(const Term& value, const Scalar& type) {
   if (value.exact && fits(value.type, type)) return value;
   if (is_uniform_value(value)) return uniform_value(converted_tree(tree_of(value), type));
-  const Value known = needed(value, type.size);
+  const Term known = needed(value, type.size);
   if (known.exact && fits(known.type, type)) return known;
   return with_type(known, type);
 }
 
 /// What an operator has computed becomes the node's number: floored to its exponent, reduced to its size.
-Value Lowering::finished(const Value& value, const Scalar& type) {
-  Value result = value;
+Term Lowering::finished(const Term& value, const Scalar& type) {
+  Term result = value;
   if (value.type.exponent > type.exponent) {
     result = shifted_right(value, value.type.exponent - type.exponent, type.size);
   } else if (type.size + value.type.exponent - type.exponent < 1) {
@@ -88,17 +88,17 @@ Value Lowering::finished(const Value& value, const Scalar& type) {
 }
 
 /// value 2^places, of which the low `bits` are wanted, at an exponent that leaves its meaning.
-Value Lowering::shifted_left(const Value& value, int places, int bits) {
+Term Lowering::shifted_left(const Term& value, int places, int bits) {
   if (places == 0) return value;
   const Scalar full = Scalar::fixed(value.type.is_signed, value.type.size + places, value.type.exponent + places);
   if (is_uniform_value(value)) {
-    Value result = uniform_value(converted_tree(tree_of(value), resized(full, std::min(full.size, kMostBits))));
+    Term result = uniform_value(converted_tree(tree_of(value), resized(full, std::min(full.size, kMostBits))));
     return result;
   }
-  const Value known = needed(value, std::max(bits - places, 1));
+  const Term known = needed(value, std::max(bits - places, 1));
   const int bytes = bytes_of(std::min(full.size, bits));
   const Scalar held = resized(full, std::min(full.size, kBitsOfByte * bytes));
-  Value result{{}, held, known.exact};
+  Term result{{}, held, known.exact};
   if (places > kMostBits) {  // nothing is left of it
     result.at = operate(Code::Copy, resized(full, kBitsOfByte * bytes), constant(0, held));
     return {result.at, resized(full, kBitsOfByte * bytes)};
@@ -109,14 +109,14 @@ Value Lowering::shifted_left(const Value& value, int places, int bits) {
 }
 
 /// floor(value / 2^places), of which the low `bits` are wanted.
-Value Lowering::shifted_right(const Value& value, int places, int bits) {
+Term Lowering::shifted_right(const Term& value, int places, int bits) {
   if (places == 0) return value;
   const int exponent = value.type.exponent - places;
   if (is_uniform_value(value)) {
     const Scalar full = Scalar::fixed(value.type.is_signed, std::max(value.type.size - places, 1), exponent);
     return uniform_value(converted_tree(tree_of(value), full));
   }
-  const Value known = needed(value, bits + places);
+  const Term known = needed(value, bits + places);
   const Scalar full = Scalar::fixed(known.type.is_signed, std::max(known.type.size - places, 1), exponent);
   ir::Operand at = known.at;
   int rest = places;
@@ -126,7 +126,7 @@ Value Lowering::shifted_right(const Value& value, int places, int bits) {
     at.bytes -= whole_bytes;
     rest -= kBitsOfByte * whole_bytes;
   }
-  Value result{at, full, known.exact};
+  Term result{at, full, known.exact};
   if (rest > 0) {
     const int bytes = bytes_of(std::min(full.size, bits));
     const Scalar held = resized(full, kBitsOfByte * bytes);
@@ -136,14 +136,14 @@ Value Lowering::shifted_right(const Value& value, int places, int bits) {
   return known.exact ? result : with_type(result, result.type);
 }
 
-Value Lowering::aligned(const Value& value, int exponent, int bits) {
+Term Lowering::aligned(const Term& value, int exponent, int bits) {
   const int places = exponent - value.type.exponent;
   return places >= 0 ? shifted_left(value, places, bits) : shifted_right(value, -places, bits);
 }
 
 /// In a number of so many bytes, for operations byte by byte.
-Value Lowering::extended(const Value& value, int bytes) {
-  Value result = value;
+Term Lowering::extended(const Term& value, int bytes) {
+  Term result = value;
   if (value.at.bytes < bytes && !is_uniform_value(value)) {
     const Scalar type = Scalar::fixed(value.at.is_signed, kBitsOfByte * bytes, value.type.exponent);
     result.at = operate(Code::Copy, type, value.at);
@@ -152,13 +152,13 @@ Value Lowering::extended(const Value& value, int bytes) {
   return result;
 }
 
-Value Lowering::fixed_convert(const Value& value, const Scalar& to) {
+Term Lowering::fixed_convert(const Term& value, const Scalar& to) {
   if (to == Scalar::boolean()) return nonzero(value);
   return reduced(aligned(value, to.exponent, to.size), to);
 }
 
-Value Lowering::nonzero(const Value& value) {
-  const Value known = wrapped(value);
+Term Lowering::nonzero(const Term& value) {
+  const Term known = wrapped(value);
   const Scalar boolean = Scalar::boolean();
   if (!known.type.is_signed && known.type.size == 1) return {known.at, boolean};
   const ir::Operand zero = constant(0, Scalar::fixed(known.type.is_signed, 2, 0));
@@ -172,8 +172,8 @@ Value Lowering::nonzero(const Value& value) {
   return logical_not({d, boolean});
 }
 
-Value Lowering::fixed_saturate(const Value& value, const Scalar& to) {
-  Value known = wrapped(value);
+Term Lowering::fixed_saturate(const Term& value, const Scalar& to) {
+  Term known = wrapped(value);
   const int places = to.exponent - known.type.exponent;
   if (places <= 0 || known.type.size + places <= kMostBits) {
     known = aligned(known, to.exponent, kMostBits);
@@ -190,8 +190,8 @@ Value Lowering::fixed_saturate(const Value& value, const Scalar& to) {
   const Scalar wide = Scalar::fixed(to.is_signed, kMostBits, 0);
   ir::Operand at = shifted_left(known, places, to.size).at;
   at = operate(Code::Wrap, to, at, {}, to.size);
-  const Value plain{known.at, Scalar::fixed(known.type.is_signed, known.type.size, 0)};
-  const Value upper{constant(above, wide), wide}, lower{constant(below, wide), wide};
+  const Term plain{known.at, Scalar::fixed(known.type.is_signed, known.type.size, 0)};
+  const Term upper{constant(above, wide), wide}, lower{constant(below, wide), wide};
   ir::Operand test = compare_values(Op::Less, upper, plain, false);
   at = select(test, to, constant(most, to), at);
   if (known.type.is_signed) {
@@ -201,7 +201,7 @@ Value Lowering::fixed_saturate(const Value& value, const Scalar& to) {
   return {at, to};
 }
 
-Value Lowering::fixed_add(const Value& a, const Value& b, bool subtract, const Scalar& type) {
+Term Lowering::fixed_add(const Term& a, const Term& b, bool subtract, const Scalar& type) {
   const int exponent = std::max(a.type.exponent, b.type.exponent);
   const Scalar p = at_exponent(a.type, exponent), q = at_exponent(b.type, exponent);
   const bool any_sign = p.is_signed || q.is_signed, sign = subtract || any_sign;
@@ -210,13 +210,13 @@ Value Lowering::fixed_add(const Value& a, const Value& b, bool subtract, const S
   const Scalar most = at_exponent(type, exponent);
   const bool whole = a.exact && b.exact && fits(exact, most);
   const Scalar held = whole ? exact : most;
-  const Value x = needed(aligned(a, exponent, held.size), held.size);
-  const Value y = needed(aligned(b, exponent, held.size), held.size);
-  const Value sum{operate(subtract ? Code::Sub : Code::Add, held, x.at, y.at), held, whole};
+  const Term x = needed(aligned(a, exponent, held.size), held.size);
+  const Term y = needed(aligned(b, exponent, held.size), held.size);
+  const Term sum{operate(subtract ? Code::Sub : Code::Add, held, x.at, y.at), held, whole};
   return finished(whole ? sum : with_type(sum, held), type);
 }
 
-Value Lowering::fixed_bitwise(Op op, const Value& a, const Value& b, const Scalar& type) {
+Term Lowering::fixed_bitwise(Op op, const Term& a, const Term& b, const Scalar& type) {
   const int exponent = std::max(a.type.exponent, b.type.exponent);
   const Scalar most = at_exponent(type, exponent);
   const Scalar p = at_exponent(a.type, exponent), q = at_exponent(b.type, exponent);
@@ -224,23 +224,23 @@ Value Lowering::fixed_bitwise(Op op, const Value& a, const Value& b, const Scala
   if (op == Op::BitAnd && !p.is_signed && !q.is_signed) exact.size = std::min(p.size, q.size);
   const bool whole = a.exact && b.exact && fits(exact, most);
   const Scalar held = whole ? exact : most;
-  const auto prepared = [&](const Value& value) {
+  const auto prepared = [&](const Term& value) {
     return extended(needed(aligned(value, exponent, held.size), held.size), held.bytes());
   };
   const Kind kind = op == Op::BitAnd ? Kind::And : op == Op::BitOr ? Kind::Or : Kind::Xor;
-  const Value x = prepared(a), y = prepared(b);
-  const Value value{join(kind, held, x.at, y.at), held, whole};
+  const Term x = prepared(a), y = prepared(b);
+  const Term value{join(kind, held, x.at, y.at), held, whole};
   return finished(whole ? value : with_type(value, held), type);
 }
 
 /// Of an unsigned number only its own bits change.
-Value Lowering::fixed_complement(const Value& value, const Scalar& type) {
+Term Lowering::fixed_complement(const Term& value, const Scalar& type) {
   const Scalar held = at_exponent(type, value.type.exponent);
-  const Value known = extended(needed(value, held.size), held.bytes());
+  const Term known = extended(needed(value, held.size), held.bytes());
   const std::uint64_t bits = ~std::uint64_t{0} >> (kMostBits - held.size);
   const bool whole = value.exact && fits(value.type, held);
   const ir::Operand ones = constant(held.is_signed ? ~std::uint64_t{0} : bits, held);
-  const Value result{join(Kind::Xor, held, known.at, ones), held, whole};
+  const Term result{join(Kind::Xor, held, known.at, ones), held, whole};
   return finished(whole ? result : with_type(result, held), type);
 }
 

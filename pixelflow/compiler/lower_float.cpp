@@ -11,9 +11,9 @@ constexpr std::uint64_t kTopOfWholeNumbers = 0x4B;  ///< top byte of 2^23, from 
 
 }  // namespace
 
-Value Lowering::to_float(const Value& value) {
+Term Lowering::to_float(const Term& value) {
   if (value.type.is_float) return value;
-  const Value known = wrapped(value);
+  const Term known = wrapped(value);
   const Scalar type = Scalar::floating();
   if (known.type.exponent < kLeastScale || known.type.exponent > kMostScale) {
     error("a fixed-point number with " + std::to_string(known.type.exponent) +
@@ -24,18 +24,18 @@ Value Lowering::to_float(const Value& value) {
   return {operate(Code::FixedToFloat, type, known.at, {}, known.type.exponent), type};
 }
 
-Value Lowering::to_fixed(const Value& value, const Scalar& to) {
+Term Lowering::to_fixed(const Term& value, const Scalar& to) {
   const ir::Operand d = operate(Code::FloatToFixed, to, value.at, {}, to.exponent);
   if (to.size == 8 * to.bytes()) return {d, to};
   return {operate(Code::Saturate, to, d, {}, to.size), to};
 }
 
-Value Lowering::float_binary(Code code, const Value& a, const Value& b) {
+Term Lowering::float_binary(Code code, const Term& a, const Term& b) {
   return {operate(code, Scalar::floating(), a.at, b.at), Scalar::floating()};
 }
 
 /// Another sign bit, but for NaN, which the upper two bytes tell.
-Value Lowering::float_negate(const Value& value) {
+Term Lowering::float_negate(const Term& value) {
   const Scalar type = Scalar::floating();
   const ir::Operand own = pixel(value.at);
   const ir::Operand other = join(Kind::Xor, type, own, constant(kSign, type));
@@ -48,15 +48,15 @@ Value Lowering::float_negate(const Value& value) {
   return {select(test, type, own, other), type};
 }
 
-Value Lowering::float_abs(const Value& value) {
+Term Lowering::float_abs(const Term& value) {
   const Scalar type = Scalar::floating();
   return {join(Kind::And, type, pixel(value.at), constant(kSign - 1, type)), type};
 }
 
 /// By way of an integer of 24 bits; numbers from 2^23 on, infinities and NaN are what they are.
-Value Lowering::float_round(Op op, const Value& value) {
+Term Lowering::float_round(Op op, const Term& value) {
   const Scalar type = Scalar::floating(), integer = Scalar::fixed(true, 24, 0), wide = Scalar::fixed(true, 25, 0);
-  Value x{pixel(value.at), type};
+  Term x{pixel(value.at), type};
   if (op == Op::Round) x = float_binary(Code::FloatAdd, x, {constant(kHalf, type), type});
   ir::Operand whole_number;
   if (op == Op::Ceil) {
@@ -72,14 +72,14 @@ Value Lowering::float_round(Op op, const Value& value) {
   top.bytes = 1;
   const Scalar byte = Scalar::fixed(false, 8, 0);
   const ir::Operand magnitude = join(Kind::And, byte, top, constant(0x7F, byte));
-  const Value limit{constant(kTopOfWholeNumbers, byte), byte};
+  const Term limit{constant(kTopOfWholeNumbers, byte), byte};
   const ir::Operand test = compare_values(Op::LessEqual, limit, {magnitude, byte}, false);
   return {select(test, type, x.at, rounded), type};
 }
 
 /// a - b floor(a / b), each step rounded.
-Value Lowering::float_remainder(const Value& a, const Value& b) {
-  const Value quotient = float_round(Op::Floor, float_binary(Code::FloatDivide, a, b));
+Term Lowering::float_remainder(const Term& a, const Term& b) {
+  const Term quotient = float_round(Op::Floor, float_binary(Code::FloatDivide, a, b));
   return float_binary(Code::FloatSub, a, float_binary(Code::FloatMultiply, b, quotient));
 }
 

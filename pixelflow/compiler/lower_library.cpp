@@ -14,7 +14,7 @@ constexpr std::uint64_t kFloatOne = 0x3F800000, kFloatHalf = 0x3F000000;
 
 }  // namespace
 
-int Lowering::gathered(const Values& values, const Scalar& type, int count) {
+int Lowering::gathered(const Terms& values, const Scalar& type, int count) {
   const int most = std::max(static_cast<int>(values.size()), count);
   const int variable = add_variable({}, type, most, true);
   for (int n = 0; n < most; ++n) {
@@ -23,10 +23,10 @@ int Lowering::gathered(const Values& values, const Scalar& type, int count) {
   return variable;
 }
 
-Value Lowering::lower_noise(const Node& node) {
-  Values point;
+Term Lowering::lower_noise(const Node& node) {
+  Terms point;
   for (const NodePtr& operand : node.operands) {
-    const Values part = lower_node(*operand);
+    const Terms part = lower_node(*operand);
     point.insert(point.end(), part.begin(), part.end());
   }
   const bool is_float = point.at(0).type.is_float;
@@ -38,30 +38,31 @@ Value Lowering::lower_noise(const Node& node) {
 }
 
 /// A coordinate's integer part, modulo 256.
-Value Lowering::cell(const Value& coordinate) {
+Term Lowering::cell(const Term& coordinate) {
   const Scalar byte = Scalar::fixed(false, kBitsOfByte, 0), integer = Scalar::integer();
   if (coordinate.at.kind == ir::Operand::Kind::Uniform) {
-    NodePtr tree = make_unary(Op::Convert, coordinate.type.is_float ? integer : byte, tree_of(coordinate));
-    if (coordinate.type.is_float) tree = make_unary(Op::Convert, byte, std::move(tree));
+    NodePtr tree =
+        make_node(Op::Convert, coordinate.type.is_float ? integer : byte, nodes(tree_of(coordinate)), where_);
+    if (coordinate.type.is_float) tree = make_node(Op::Convert, byte, nodes(std::move(tree)), where_);
     return uniform_value(std::move(tree));
   }
   return reduced(coordinate.type.is_float ? to_fixed(coordinate, integer) : aligned(coordinate, 0, kBitsOfByte), byte);
 }
 
-Value Lowering::lower_cell_noise(const Node& node) {
-  Values point;
+Term Lowering::lower_cell_noise(const Node& node) {
+  Terms point;
   for (const NodePtr& operand : node.operands) {
-    const Values part = lower_node(*operand);
+    const Terms part = lower_node(*operand);
     point.insert(point.end(), part.begin(), part.end());
   }
   const Scalar word = Scalar::fixed(false, 16, 0), byte = Scalar::fixed(false, kBitsOfByte, kBitsOfByte);
   ir::Operand x;
   for (std::size_t n = 0; n < point.size(); ++n) {
-    const Value index = wrapped(cell(point[n]));
+    const Term index = wrapped(cell(point[n]));
     ir::Operand term;
     if (index.at.kind == ir::Operand::Kind::Uniform) {
-      NodePtr factor = make_literal(kHash[n], word, where_);
-      term = uniform_value(make_binary(Op::Multiply, word, tree_of(index), std::move(factor))).at;
+      NodePtr factor = make_literal(word, kHash[n], where_);
+      term = uniform_value(make_node(Op::Multiply, word, nodes(tree_of(index), std::move(factor)), where_)).at;
     } else {
       term = operate(Code::Multiply, word, index.at, constant(kHash[n], word));
     }
@@ -77,29 +78,27 @@ Value Lowering::lower_cell_noise(const Node& node) {
 }
 
 /// The sum of abs(2 noise(2^i p) - 1) / 2^i, in this order.
-Value Lowering::lower_turbulence(const Node& node) {
+Term Lowering::lower_turbulence(const Node& node) {
   const Scalar type = Scalar::floating(), count_type = Scalar::fixed(true, 64, 0);
   const int point = gathered(lower_node(*node.operands[0]), type);
   Variable* const octaves = checked_octaves(*node.operands[1]);
-  Variable* const i = hoist(make_literal(1, count_type, where_));
-  Variable* const weight = hoist(make_literal(kFloatHalf, type, where_));
-  const Value one{constant(kFloatOne, type), type};
+  Variable* const i = hoist(make_literal(count_type, 1, where_));
+  Variable* const weight = hoist(make_literal(type, kFloatHalf, where_));
+  const Term one{constant(kFloatOne, type), type};
   const auto term = [&] {
-    const Value noise{operate(Code::NoiseFloat, type, whole(point), {}, 3), type};
+    const Term noise{operate(Code::NoiseFloat, type, whole(point), {}, 3), type};
     return float_abs(float_binary(Code::FloatSub, float_binary(Code::FloatAdd, noise, noise), one));
   };
-  const auto add_to = [&](Variable* variable, Op op, NodePtr value, const Scalar& scalar) {
-    NodePtr assign = make_node(Op::Assign, variable->type, where_);
-    assign->operands.push_back(make_reference(*variable, where_));
-    assign->operands.push_back(make_binary(op, scalar, make_reference(*variable, where_), std::move(value)));
-    evaluate(std::move(assign));
+  const auto update = [&](Variable* variable, Op op, NodePtr value) {
+    const Scalar& scalar = variable->type.scalar;
+    assign(variable, make_node(op, scalar, nodes(make_read(variable, where_), std::move(value)), where_));
   };
   const auto less = [&](Variable* a, Variable* b) {
-    return make_binary(Op::Less, Scalar::boolean(), make_reference(*a, where_), make_reference(*b, where_));
+    return make_node(Op::Less, Scalar::boolean(), nodes(make_read(a, where_), make_read(b, where_)), where_);
   };
 
   const ir::Operand sum = temporary(type);
-  Variable* const zero = hoist(make_literal(0, count_type, where_));
+  Variable* const zero = hoist(make_literal(count_type, 0, where_));
   const int opening = begin_if(less(zero, octaves));
   operate_into(sum, Code::Copy, term().at);
   const int middle = begin_else(opening);
@@ -112,14 +111,14 @@ Value Lowering::lower_turbulence(const Node& node) {
   test.match = loop;
   append(std::move(test));
   for (int n = 0; n < 3; ++n) operate_into(whole(point, n), Code::FloatAdd, whole(point, n), whole(point, n));
-  const Value weighted = float_binary(Code::FloatMultiply, term(), elements_of(*weight).at(0));
+  const Term weighted = float_binary(Code::FloatMultiply, term(), elements_of(weight).at(0));
   operate_into(sum, Code::FloatAdd, sum, weighted.at);
   ir::Instruction next;
   next.kind = Kind::LoopNext;
   next.match = loop;
   append(std::move(next));
-  add_to(i, Op::Add, make_literal(1, count_type, where_), count_type);
-  add_to(weight, Op::Multiply, make_literal(kFloatHalf, type, where_), type);
+  update(i, Op::Add, make_literal(count_type, 1, where_));
+  update(weight, Op::Multiply, make_literal(type, kFloatHalf, where_));
   end_loop(loop);
   return {sum, type};
 }
@@ -127,21 +126,19 @@ Value Lowering::lower_turbulence(const Node& node) {
 /// The host's own turbulence, of any point, refuses what is too much.
 Variable* Lowering::checked_octaves(const Node& node) {
   Variable* const octaves = hoist(index_tree(node));
-  Type point_type;
-  point_type.scalar = Scalar::floating();
-  point_type.rank = 1;
-  point_type.dimensions = {3, 1};
-  NodePtr point = make_node(Op::Array, point_type, node.where);
-  for (int n = 0; n < 3; ++n) point->operands.push_back(make_literal(0, Scalar::floating(), node.where));
-  hoist(make_binary(Op::Turbulence, Scalar::floating(), std::move(point), make_reference(*octaves, node.where)));
+  Nodes origin;
+  for (int n = 0; n < 3; ++n) origin.push_back(make_literal(Scalar::floating(), 0, node.where));
+  NodePtr turbulence = make_node(Op::Turbulence, Scalar::floating(), {}, node.where);
+  turbulence->operands = nodes(make_array(std::move(origin), node.where), make_read(octaves, node.where));
+  hoist(std::move(turbulence));
   return octaves;
 }
 
-Values Lowering::lower_lookup(const Node& node) {
+Terms Lowering::lower_lookup(const Node& node) {
   const Scalar byte = Scalar::fixed(false, kBitsOfByte, kBitsOfByte);
-  Values coordinates;
+  Terms coordinates;
   for (std::size_t n = 1; n < node.operands.size(); ++n) {
-    const Values part = lower_node(*node.operands[n]);
+    const Terms part = lower_node(*node.operands[n]);
     coordinates.insert(coordinates.end(), part.begin(), part.end());
   }
   ir::Instruction lookup;
@@ -152,7 +149,7 @@ Values Lowering::lower_lookup(const Node& node) {
   const int texel = add_variable({}, byte, node.type.count(), true);
   lookup.d = whole(texel);
   append(std::move(lookup));
-  Values values;
+  Terms values;
   for (int n = 0; n < node.type.count(); ++n) values.push_back({whole(texel, n), byte});
   return values;
 }

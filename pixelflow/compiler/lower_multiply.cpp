@@ -14,19 +14,19 @@ constexpr int kMostScale = 8;
 }  // namespace
 
 /// The power of two that a literal's raw number is, or -1.
-int Lowering::power_of_two(const Value& value) const {
+int Lowering::power_of_two(const Term& value) const {
   if (value.at.kind != ir::Operand::Kind::Uniform) return -1;
   const Node& tree = *code_.uniforms[static_cast<std::size_t>(value.at.uniform)];
   const bool negative = value.type.is_signed && tree.raw >> (kMostBits - 1);
   return tree.op == Op::Literal && !negative && std::has_single_bit(tree.raw) ? std::countr_zero(tree.raw) : -1;
 }
 
-Value Lowering::fixed_multiply(const Value& a, const Value& b, const Scalar& type) {
+Term Lowering::fixed_multiply(const Term& a, const Term& b, const Scalar& type) {
   const bool both_uniform = a.at.kind == ir::Operand::Kind::Uniform && b.at.kind == ir::Operand::Kind::Uniform;
   if (power_of_two(a) >= 0 && !both_uniform) return fixed_multiply(b, a, type);
   const int power = power_of_two(b);
   if (power >= 0 && !both_uniform) {  // only the point moves
-    Value moved = a;
+    Term moved = a;
     moved.type.exponent += b.type.exponent - power;
     return finished(moved, type);
   }
@@ -37,12 +37,12 @@ Value Lowering::fixed_multiply(const Value& a, const Value& b, const Scalar& typ
   const Scalar most = at_exponent(type, exponent - places);
   const bool whole = a.exact && b.exact && fits(exact, most);
   const int bits = whole ? exact.size : most.size;
-  const Value x = needed(a, bits + places), y = needed(b, bits + places);
+  const Term x = needed(a, bits + places), y = needed(b, bits + places);
   return finished(product(x, y, places, full, bits), type);
 }
 
 /// floor(a b / 2^places), of which the low `bits` are wanted. `full` is the product's type.
-Value Lowering::product(const Value& a, const Value& b, int places, const Scalar& full, int bits) {
+Term Lowering::product(const Term& a, const Term& b, int places, const Scalar& full, int bits) {
   const bool exact = a.exact && b.exact;
   const bool by_bytes = options_.fuse || full.size > kMostBits;
   const int scale = by_bytes ? std::min(places / kBitsOfByte, kMostScale) : 0;
@@ -56,7 +56,7 @@ Value Lowering::product(const Value& a, const Value& b, int places, const Scalar
   if (wanted <= kMostBits) {
     const int bytes = bytes_of(wanted);
     const Scalar held = Scalar::fixed(full.is_signed, std::min(available, kBitsOfByte * bytes), exponent);
-    Value value{multiply(kBitsOfByte * bytes, scale), held, exact};
+    Term value{multiply(kBitsOfByte * bytes, scale), held, exact};
     // Operands that are known in their low places + bits bits give a product known in as many.
     if (!exact) value = with_type(value, Scalar::fixed(full.is_signed, std::min(bits + rest, held.size), exponent));
     return shifted_right(value, rest, bits);
@@ -71,7 +71,7 @@ Value Lowering::product(const Value& a, const Value& b, int places, const Scalar
 
 /// upper 2^(8 - places) + lower / 2^places: the shift right by `places` of a number of 9 bytes, of which `upper` are
 /// all but the last.
-Value Lowering::joined(const ir::Operand& upper, const ir::Operand& lower, int places, const Scalar& type) {
+Term Lowering::joined(const ir::Operand& upper, const ir::Operand& lower, int places, const Scalar& type) {
   const Scalar low = Scalar::fixed(false, kBitsOfByte - places, 0);
   const ir::Operand high = operate(Code::ShiftLeft, type, upper, {}, kBitsOfByte - places);
   const ir::Operand rest = operate(Code::ShiftRight, low, lower, {}, places);

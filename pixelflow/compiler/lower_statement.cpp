@@ -22,7 +22,7 @@ void Lowering::lower_statement(const Statement& statement) {
         lower_call(node);
       } else if (is_uniform(node)) {
         NodePtr tree = uniform_tree(node);
-        if (has_effects(*tree)) evaluate(std::move(tree));
+        if (!is_pure(*tree)) evaluate(std::move(tree));
       } else {
         lower_node(node);
       }

@@ -7,18 +7,19 @@
 #include <string>
 #include <vector>
 
+#include "pixelflow/compiler/build.h"
 #include "pixelflow/compiler/lower.h"
 
 namespace pfman {
 
 /// A scalar while it is lowered: where its bytes are, and what they mean. Exact: the raw number there is a number of
 /// `type`. Otherwise only its low type.size bits are known to be the value's: whoever needs more has it wrapped().
-struct Value {
+struct Term {
   ir::Operand at;
   Scalar type;
   bool exact = true;
 };
-using Values = std::vector<Value>;
+using Terms = std::vector<Term>;
 
 class Lowering {
  public:
@@ -33,7 +34,7 @@ class Lowering {
   /// What stands for a variable of the tree.
   struct Binding {
     std::vector<int> variables;  ///< varying: one for each scalar, or a single one with a count
-    Values values;               ///< a parameter that its function does not write, given these
+    Terms values;                ///< a parameter that its function does not write, given these
     Variable* uniform = nullptr;
   };
   struct LoopContext {
@@ -64,11 +65,11 @@ class Lowering {
   void error(const std::string& text);
   /// A variable of pixel memory for a variable of the tree.
   Binding& binding(const Variable& variable);
-  Values place_of(const Node& node);
-  Values element_of(const Node& node);
+  Terms place_of(const Node& node);
+  Terms element_of(const Node& node);
   NodePtr index_tree(const Node& node);
   NodePtr table_lookup(const Node& element, int rows, int columns);
-  Value first_of(const Values& all, const Scalar& scalar);
+  Term first_of(const Terms& all, const Scalar& scalar);
 
   // lower_statement.cpp
   void lower_body(const std::vector<StatementPtr>& body);
@@ -87,93 +88,94 @@ class Lowering {
   void end_loop(int loop);
 
   // lower_expression.cpp
-  Values lower_node(const Node& node);
-  Values lower_varying(const Node& node);
-  Value lower_scalar(const Node& node) { return lower_node(node).at(0); }
-  Values lower_elementwise(const Node& node);
-  Value lower_binary(const Node& node, const Value& a, const Value& b);
-  Value lower_unary(const Node& node, const Value& a);
-  Values lower_select(const Node& node);
-  Values lower_assign(const Node& node);
-  void store(const Node& target, const Values& values);
-  void store(const Value& target, const Value& value);
+  Terms lower_node(const Node& node);
+  Terms lower_varying(const Node& node);
+  Term lower_scalar(const Node& node) { return lower_node(node).at(0); }
+  Terms lower_elementwise(const Node& node);
+  Term lower_binary(const Node& node, const Term& a, const Term& b);
+  Term lower_unary(const Node& node, const Term& a);
+  Terms lower_select(const Node& node);
+  Terms lower_assign(const Node& node);
+  void store(const Node& target, const Terms& values);
+  void store(const Term& target, const Term& value);
   /// A bool as a byte, or none where the instruction just appended has left it in K.
   ir::Operand condition(const Node& node);
   ir::Operand compare(const Node& node);
-  ir::Operand compare_values(Op op, const Value& a, const Value& b, bool to_byte);
-  Value logical_not(const Value& value);
-  Value convert(const Value& value, const Scalar& to, bool saturate);
+  ir::Operand compare_values(Op op, const Term& a, const Term& b, bool to_byte);
+  Term logical_not(const Term& value);
+  Term convert(const Term& value, const Scalar& to, bool saturate);
 
   // lower_uniform.cpp
-  Values uniform_values(const Node& node);
-  Value uniform_value(NodePtr tree);
-  Values elements_of(Variable& variable);
-  NodePtr tree_of(const Value& value) const;  ///< a copy of a uniform value's tree
+  Terms uniform_values(const Node& node);
+  Term uniform_value(NodePtr tree);
+  Terms elements_of(Variable* variable);
+  NodePtr tree_of(const Term& value) const;  ///< a copy of a uniform value's tree
   NodePtr uniform_tree(const Node& node);
   NodePtr hoisting_tree(const Node& node);
   NodePtr conditional_tree(const Node& node);
   Variable* hidden(const Type& type);
-  Variable* hoist(NodePtr tree);
+  Variable* hoist(NodePtr tree);  ///< evaluated here
+  NodePtr once(NodePtr tree);     ///< itself, or what it leaves behind where it may only be evaluated once
   void evaluate(NodePtr tree);
+  void assign(Variable* variable, NodePtr value);
   int add_uniform(NodePtr tree);
   Variable* uniform_of(const Variable& variable);
 
   // lower_call.cpp
-  Values lower_call(const Node& node);
-  Values external_call(const Node& node);
-  void store_uniform(Variable& variable, const Node& value);
+  Terms lower_call(const Node& node);
+  Terms external_call(const Node& node);
   /// The caller's variables for an output parameter, if it can have these themselves; otherwise none.
-  std::vector<int> variables_of(const Values& places, const Variable& parameter);
-  Value argument_value(const Value& value, const Function& function, const Scalar& type);
+  std::vector<int> variables_of(const Terms& places, const Variable& parameter);
+  Term argument_value(const Term& value, const Function& function, const Scalar& type);
   bool may_call();
 
   // lower_fixed.cpp, lower_multiply.cpp, lower_divide.cpp
-  Value with_type(const Value& value, const Scalar& type);
-  Value wrapped(const Value& value);
-  Value needed(const Value& value, int bits);
-  Value reduced(const Value& value, const Scalar& type);
-  Value finished(const Value& value, const Scalar& type);
-  Value shifted_left(const Value& value, int places, int bits);
-  Value shifted_right(const Value& value, int places, int bits);
-  Value aligned(const Value& value, int exponent, int bits);
-  Value extended(const Value& value, int bytes);
-  Value fixed_convert(const Value& value, const Scalar& to);
-  Value fixed_saturate(const Value& value, const Scalar& to);
-  Value fixed_add(const Value& a, const Value& b, bool subtract, const Scalar& type);
-  Value fixed_bitwise(Op op, const Value& a, const Value& b, const Scalar& type);
-  Value fixed_complement(const Value& value, const Scalar& type);
-  Value fixed_shift(const Node& node, const Value& value);
-  Value fixed_abs(const Value& value, const Scalar& type);
-  Value fixed_round(Op op, const Value& value, const Scalar& type);
-  Value fixed_square_root(const Value& value, const Scalar& type);
-  Value fixed_multiply(const Value& a, const Value& b, const Scalar& type);
-  int power_of_two(const Value& value) const;
-  Value joined(const ir::Operand& upper, const ir::Operand& lower, int places, const Scalar& type);
-  Value product(const Value& a, const Value& b, int places, const Scalar& full, int bits);
-  Value fixed_divide(const Value& a, const Value& b, const Scalar& type);
-  Value scaled_quotient(const Value& a, const Value& b, int places, int bits);
-  Value shifted_quotient(const Value& a, const Value& b, int places, int bits);
-  Value fixed_remainder(const Value& a, const Value& b, const Scalar& type);
-  Value nonzero(const Value& value);
+  Term with_type(const Term& value, const Scalar& type);
+  Term wrapped(const Term& value);
+  Term needed(const Term& value, int bits);
+  Term reduced(const Term& value, const Scalar& type);
+  Term finished(const Term& value, const Scalar& type);
+  Term shifted_left(const Term& value, int places, int bits);
+  Term shifted_right(const Term& value, int places, int bits);
+  Term aligned(const Term& value, int exponent, int bits);
+  Term extended(const Term& value, int bytes);
+  Term fixed_convert(const Term& value, const Scalar& to);
+  Term fixed_saturate(const Term& value, const Scalar& to);
+  Term fixed_add(const Term& a, const Term& b, bool subtract, const Scalar& type);
+  Term fixed_bitwise(Op op, const Term& a, const Term& b, const Scalar& type);
+  Term fixed_complement(const Term& value, const Scalar& type);
+  Term fixed_shift(const Node& node, const Term& value);
+  Term fixed_abs(const Term& value, const Scalar& type);
+  Term fixed_round(Op op, const Term& value, const Scalar& type);
+  Term fixed_square_root(const Term& value, const Scalar& type);
+  Term fixed_multiply(const Term& a, const Term& b, const Scalar& type);
+  int power_of_two(const Term& value) const;
+  Term joined(const ir::Operand& upper, const ir::Operand& lower, int places, const Scalar& type);
+  Term product(const Term& a, const Term& b, int places, const Scalar& full, int bits);
+  Term fixed_divide(const Term& a, const Term& b, const Scalar& type);
+  Term scaled_quotient(const Term& a, const Term& b, int places, int bits);
+  Term shifted_quotient(const Term& a, const Term& b, int places, int bits);
+  Term fixed_remainder(const Term& a, const Term& b, const Scalar& type);
+  Term nonzero(const Term& value);
 
   // lower_float.cpp
-  Value to_float(const Value& value);
-  Value to_fixed(const Value& value, const Scalar& to);
-  Value float_negate(const Value& value);
-  Value float_abs(const Value& value);
-  Value float_round(Op op, const Value& value);
-  Value float_remainder(const Value& a, const Value& b);
-  Value float_binary(Code code, const Value& a, const Value& b);
+  Term to_float(const Term& value);
+  Term to_fixed(const Term& value, const Scalar& to);
+  Term float_negate(const Term& value);
+  Term float_abs(const Term& value);
+  Term float_round(Op op, const Term& value);
+  Term float_remainder(const Term& a, const Term& b);
+  Term float_binary(Code code, const Term& a, const Term& b);
 
   // lower_library.cpp
-  Value lower_noise(const Node& node);
-  Value lower_cell_noise(const Node& node);
-  Value lower_turbulence(const Node& node);
-  Value cell(const Value& coordinate);
+  Term lower_noise(const Node& node);
+  Term lower_cell_noise(const Node& node);
+  Term lower_turbulence(const Node& node);
+  Term cell(const Term& coordinate);
   Variable* checked_octaves(const Node& node);
-  Values lower_lookup(const Node& node);
+  Terms lower_lookup(const Node& node);
   /// A variable that holds them one after another; a single value `count` times.
-  int gathered(const Values& values, const Scalar& type, int count = 0);
+  int gathered(const Terms& values, const Scalar& type, int count = 0);
 
   const Tree& tree_;
   const Shader& shader_;
@@ -194,19 +196,12 @@ class Lowering {
   Location where_;
 };
 
-// Nodes of uniform trees.
-NodePtr make_node(Node::Op op, const Type& type, Location where);
-NodePtr make_literal(std::uint64_t raw, const Scalar& type, Location where);
-NodePtr make_reference(Variable& variable, Location where);
-NodePtr make_unary(Node::Op op, const Scalar& type, NodePtr a);
-NodePtr make_binary(Node::Op op, const Scalar& type, NodePtr a, NodePtr b);
-bool has_effects(const Node& node);  ///< an assignment or a call
 bool is_uniform(const Node& node);
 
 // Types of raw numbers.
 Scalar at_exponent(const Scalar& type, int exponent);  ///< the same range, more or fewer bits behind the point
 bool fits(const Scalar& type, const Scalar& into);     ///< both of one exponent
-Scalar contents_of(const Value& value);                ///< all that its bytes can hold
+Scalar contents_of(const Term& value);                 ///< all that its bytes can hold
 int bytes_of(int bits);
 
 }  // namespace pfman
