@@ -138,6 +138,15 @@ SurfaceResult Interpreter::surface(const std::string& name, const Input& input) 
   return result;
 }
 
+void Interpreter::resolve_all() const {
+  using Kind = pfman::ast::Definition::Kind;
+  Resolver resolver(*unit_);
+  for (const pfman::ast::Definition& definition : unit_->definitions) {
+    if (definition.kind == Kind::Function) resolver.function(definition.name);
+    if (definition.kind == Kind::Surface || definition.kind == Kind::Light) resolver.shader(definition.name);
+  }
+}
+
 std::vector<ParameterInfo> Interpreter::parameters(const std::string& name) const {
   Resolver resolver(*unit_);
   const Shader shader = resolver.shader(name);

@@ -60,6 +60,8 @@ class Interpreter {
 
   SurfaceResult surface(const std::string& name, const Input& input) const;
   LightResult light(const std::string& name, const ParameterValues& uniform, const Input& input) const;
+  /// Resolves what no shader uses, too: Error where something is wrong.
+  void resolve_all() const;
   std::vector<ParameterInfo> parameters(const std::string& shader) const;
 
  private:

@@ -147,10 +147,11 @@ std::vector<bool> Machine::inside_cone(const Step& step) {
 void Machine::blacken_outside(const Value& axis, const Value& angle) {
   const Value along = float_dot(light_.ray->value, axis);
   const Value length = float_product(light_.distance->value, float_square_root(float_dot(axis, axis)));
-  const Value least = float_product(library_function("cos", {&angle}), length);
+  const Value least = library_function("cos", {&angle});
   for (int lane = 0; lane < lanes_; ++lane) {
-    if (!active_[static_cast<std::size_t>(lane)] || !(as_float(along.at(0, lane)) < as_float(least.at(0, lane))))
-      continue;
+    const Raw cosine = float_operation(pfman::ast::Operator::Divide, along.at(0, lane), length.at(0, lane));
+    const bool outside = as_float(cosine) < as_float(least.at(0, lane));
+    if (!outside || !active_[static_cast<std::size_t>(lane)]) continue;
     for (Variable* color : light_.colors) {
       for (int element = 0; element < 3; ++element) color->value.to(element, lane) = 0;
     }

@@ -36,7 +36,10 @@ Number fixed_result(const Node& node, const std::string& name) {
   const Number a = types[0];
   const int elements = node.operands[0]->shape.count();
   if (name == "abs") return unsigned_fixed(a.size, a.exponent);
-  if (name == "sign") return signed_fixed(2, 0);
+  if (name == "sign") {
+    require_alignment(a, unsigned_fixed(1, 0), node.where);  // it is compared with 0
+    return signed_fixed(2, 0);
+  }
   if (name == "floor") return a.exponent <= 0 ? a : fixed_of(a.is_signed, a.integer_bits(), 0);
   if (name == "ceil" || name == "round") {
     return a.exponent <= 0 ? a : fixed_of(a.is_signed, a.integer_bits() + 1, 0);

@@ -134,6 +134,17 @@ Function& Resolver::function(const std::string& name) {
   return made;
 }
 
+namespace {
+
+/// A shader's parameter: standard ones have their own rate, whatever is written.
+bool is_uniform(const pfman::ast::Declarator& declarator) {
+  const std::string& name = declarator.name;
+  if (!name.starts_with("px_")) return declarator.specifiers->rate != pfman::ast::Rate::Varying;
+  return name == "px_shader_eye" || name == "px_shader_time" || name == "px_shader_frame";
+}
+
+}  // namespace
+
 Shader Resolver::shader(const std::string& name) {
   for (const Definition& definition : unit_.definitions) {
     const bool light = definition.kind == Definition::Kind::Light;
@@ -145,7 +156,7 @@ Shader Resolver::shader(const std::string& name) {
       const auto& specifiers = *declarator.specifiers;
       Parameter parameter;
       NodePtr initial = declarator.initial ? node(*declarator.initial) : nullptr;
-      parameter.variable = declare(declarator, specifiers.rate != pfman::ast::Rate::Varying);
+      parameter.variable = declare(declarator, is_uniform(declarator));
       parameter.unit = specifiers.unit;
       parameter.output = specifiers.output;
       if (initial) parameter.initial = root(std::move(initial), parameter.variable->number);
