@@ -78,7 +78,6 @@ Layout best_layout(const ir::Code& code, const Lifetimes& lifetimes, const Place
     return best.extent <= placement.least_extent() && best.retained <= placement.least_retained();
   };
   for (int n = 1; n < Orders::kCount && !is_best(); ++n) take(placement.first_fit(orders.order(n)));
-  if (placement.least_extent() > kAvailable) return best;
   for (int n = 0; n < kShuffles && best.extent > kAvailable; ++n) take(placement.first_fit(orders.shuffled(n)));
   return best;
 }
@@ -135,8 +134,18 @@ MemoryMap allocate(ir::Code& code, const AllocateOptions& options, Diagnostics& 
 
   const Lifetimes lifetimes(code);
   const Placement placement(code, lifetimes);
+  map.peak_bytes = placement.least_extent();
+  map.peak_at = placement.least_at();
+  if (map.peak_bytes > kAvailable) {
+    report_full(code, placement, map.peak_bytes, kAvailable, diagnostics);
+    return map;
+  }
   const Layout layout =
       options.share ? best_layout(code, lifetimes, placement) : placement.one_by_one(placement.to_place());
+  if (layout.extent > kAvailable) {
+    report_full(code, placement, layout.extent, kAvailable, diagnostics);
+    return map;
+  }
   for (int i = 0; i < static_cast<int>(code.code.size()); ++i) {
     code.code[i].work = layout.work[i];
     const int bytes = placement.bytes(i, layout);
@@ -152,7 +161,6 @@ MemoryMap allocate(ir::Code& code, const AllocateOptions& options, Diagnostics& 
   } else {
     map.first_free = kSharedAt - layout.extent;
   }
-  if (layout.extent > kAvailable) report_full(code, placement, layout, kAvailable, diagnostics);
   return map;
 }
 

@@ -5,8 +5,9 @@
 namespace pfman {
 namespace {
 
-/// Far beyond what fits a stream; calls within calls, written in place, would otherwise grow without end.
-constexpr std::size_t kMostInstructions = 100000;
+/// Far beyond what fits a stream; calls within calls, written in place, would otherwise grow without end. Lifetimes are
+/// matrices of instructions and variables: for so many they take a second.
+constexpr std::size_t kMostInstructions = 20000;
 
 constexpr int kTooLong = 503;
 constexpr int kTooWide = 210;

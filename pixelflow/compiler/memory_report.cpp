@@ -65,32 +65,19 @@ bool check_transfer(const ir::Code& code, int parameter_bytes, Diagnostics& diag
   return false;
 }
 
-void report_full(const ir::Code& code, const Placement& placement, const Layout& layout, int available,
-                 Diagnostics& diagnostics) {
-  int peak = -1, at = 0;
-  for (int i = 0; i < static_cast<int>(code.code.size()); ++i) {
-    const int bytes = placement.bytes(i, layout);
-    if (bytes <= peak) continue;
-    peak = bytes;
-    at = i;
-  }
-  // Where everything alive would fit but for gaps, the extent is what is needed.
-  const int need = peak > available ? peak : layout.extent;
-  Location line = code.where;
-  if (!code.code.empty() && code.code[at].where.line != 0) line = code.code[at].where;
+void report_full(const ir::Code& code, const Placement& placement, int need, int available, Diagnostics& diagnostics) {
+  const ir::Instruction& peak = code.code[placement.least_at()];
+  const Location where = peak.where.line != 0 ? peak.where : code.where;
   Diagnostic diagnostic{501, code.where, "", {}};
   diagnostic.text = "shader '" + code.name + "' needs " + std::to_string(need) + " bytes of pixel memory at line " +
-                    std::to_string(line.line) + ", " + std::to_string(available) + " are available";
-  if (!code.code.empty()) {
-    for (const Entry& entry : alive(code, placement.occupied(at)))
-      diagnostic.notes.push_back({entry.where, text(entry)});
-    const int work = placement.workspace(at, layout.address);
-    if (work > 0) {
-      const ir::Instruction& instruction = code.code[at];
-      const std::string name = instruction.kind == ir::Instruction::Kind::Operate ? pixelflow::name(instruction.code)
-                                                                                  : instruction.external->name;
-      diagnostic.notes.push_back({line, "workspace of " + name + ": " + bytes_text(work)});
-    }
+                    std::to_string(where.line) + ", " + std::to_string(available) + " are available";
+  for (const Entry& entry : alive(code, placement.least_variables())) {
+    diagnostic.notes.push_back({entry.where, text(entry)});
+  }
+  if (placement.least_workspace() > 0) {
+    const bool external = peak.kind == ir::Instruction::Kind::External;
+    const std::string name = external ? peak.external->name : pixelflow::name(peak.code);
+    diagnostic.notes.push_back({where, "workspace of " + name + ": " + bytes_text(placement.least_workspace())});
   }
   diagnostics.add(std::move(diagnostic));
 }

@@ -15,8 +15,7 @@ constexpr int kPacketPayload = 28;
 /// E502, and false, where shader ID and parameters exceed a transfer.
 bool check_transfer(const ir::Code& code, int parameter_bytes, Diagnostics& diagnostics);
 
-/// E501: the layout needs more than `available` bytes. Notes name what is alive where most is needed.
-void report_full(const ir::Code& code, const Placement& placement, const Layout& layout, int available,
-                 Diagnostics& diagnostics);
+/// E501: `need` bytes are more than `available`. Notes name what is alive where most is needed.
+void report_full(const ir::Code& code, const Placement& placement, int need, int available, Diagnostics& diagnostics);
 
 }  // namespace pfman

@@ -40,26 +40,32 @@ bool is_pixel(const Operand& o) { return o.kind == Operand::Kind::Pixel; }
 
 Placement::Placement(const ir::Code& code, const Lifetimes& lifetimes)
     : code_(code), lifetimes_(lifetimes), partners_(code.variables.size()) {
-  const int instructions = static_cast<int>(code.code.size());
+  // No operation needs less than with operands apart.
+  std::vector<int> apart(code.variables.size());
+  for (std::size_t v = 0; v < apart.size(); ++v) apart[v] = static_cast<int>(v) * kFarApart;
   const auto own_bytes = [&](const BitMatrix& alive, int i) {
     int sum = 0;
     alive.each(i, [&](int v) { sum += is_own(v) ? size(v) : 0; });
     return sum;
   };
-  // No operation needs less than with operands apart.
-  std::vector<int> apart(code.variables.size());
-  for (std::size_t v = 0; v < apart.size(); ++v) apart[v] = static_cast<int>(v) * kFarApart;
+  const BitMatrix* most = nullptr;
   BitMatrix here(1, static_cast<int>(code.variables.size()));
-  for (int i = 0; i < instructions; ++i) {
+  for (int i = 0; i < static_cast<int>(code.code.size()); ++i) {
     here = BitMatrix(1, here.columns());
     here.add(0, lifetimes.before().row(i));
     here.add(0, lifetimes.after().row(i));
     ir::each_operand(code, code.code[i], [&](const Operand& o, Access) { here.set(0, o.variable); });
     std::vector<int>& occupied = occupied_.emplace_back();
     here.each(0, [&](int v) { occupied.push_back(v); });
-    const int least = std::max(own_bytes(lifetimes.before(), i), own_bytes(lifetimes.after(), i));
-    least_extent_ = std::max(least_extent_, least + workspace(i, apart));
+    const int before = own_bytes(lifetimes.before(), i), after = own_bytes(lifetimes.after(), i);
+    const int work = workspace(i, apart), sum = std::max(before, after) + work;
+    if (sum <= least_extent_) continue;
+    least_extent_ = sum;
+    least_at_ = i;
+    least_workspace_ = work;
+    most = before >= after ? &lifetimes.before() : &lifetimes.after();
   }
+  if (most) most->each(least_at_, [&](int v) { least_variables_.push_back(v); });
   for (int v = 0; v < static_cast<int>(code.variables.size()); ++v) {
     if (lifetimes.retained(v) && is_own(v)) least_retained_ += size(v);
   }
@@ -193,8 +199,6 @@ void Placement::place_workspaces(Layout& layout) const {
     layout.extent = std::max(layout.extent, at + bytes);
   }
 }
-
-std::vector<int> Placement::occupied(int instruction) const { return occupied_[instruction]; }
 
 int Placement::workspace(int i, const std::vector<int>& address) const {
   const Instruction& instruction = code_.code[i];

@@ -30,12 +30,14 @@ class Placement {
   /// Variables that need a place, in the order in which they come to life.
   std::vector<int> to_place() const;
 
-  /// No layout has a smaller extent, or retains less.
+  /// No layout has a smaller extent, which instruction least_at() needs, or retains less.
   int least_extent() const { return least_extent_; }
   int least_retained() const { return least_retained_; }
+  int least_at() const { return least_at_; }
+  /// What adds up to least_extent(): the variables, and the workspace.
+  const std::vector<int>& least_variables() const { return least_variables_; }
+  int least_workspace() const { return least_workspace_; }
 
-  /// Variables that occupy memory during the instruction: alive before or after, or its operands.
-  std::vector<int> occupied(int instruction) const;
   /// Bytes of the instruction's workspace as its operands lie, for all values of uniform operands and indices.
   int workspace(int instruction, const std::vector<int>& address) const;
   /// Bytes that are occupied during the instruction, its workspace included.
@@ -67,8 +69,9 @@ class Placement {
   const ir::Code& code_;
   const Lifetimes& lifetimes_;
   std::vector<std::vector<Partner>> partners_;  ///< by variable
-  std::vector<std::vector<int>> occupied_;      ///< by instruction
-  int least_extent_ = 0, least_retained_ = 0;
+  std::vector<std::vector<int>> occupied_;      ///< by instruction: alive before or after, or its operands
+  int least_extent_ = 0, least_retained_ = 0, least_at_ = 0, least_workspace_ = 0;
+  std::vector<int> least_variables_;
 };
 
 }  // namespace pfman
