@@ -83,10 +83,11 @@ Value Checker::assignment(const ast::Expression& expression) {
     if (value.mistake()) return {};
   }
   const Type type = value.type();
+  const std::string given = value.spelled();
   if (type.is_void) return mistake(202, value.where, "a call of a void function has no value");
   if (!type.same_shape(place->type)) {
     return mistake(203, expression.where,
-                   "cannot assign '" + spelling(type) + "' to '" + spelling(place->type) + "': their shapes differ");
+                   "cannot assign '" + given + "' to '" + spelling(place->type) + "': their shapes differ");
   }
   if (!assignable(target, type.varying, expression.where)) return {};
   NodePtr converted = convert_to(std::move(value), place->exact);

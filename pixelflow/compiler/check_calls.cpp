@@ -13,10 +13,10 @@ Value Checker::call(const ast::Expression& expression) {
 /// An argument of the parameter's type and rate. What is written back behind the call goes to `after`.
 NodePtr Checker::argument(const ast::Expression& expression, Variable& parameter, Nodes& before, Nodes& after) {
   const Type& type = parameter.type;
-  const auto check_shape = [&](const Type& given) {
+  const auto check_shape = [&](const Type& given, const std::string& spelled) {
     if (!given.is_void && given.same_shape(type)) return true;
     error(132, expression.where,
-          "argument for '" + parameter.name + "' is '" + spelling(given) + "'; '" + spelling(type) + "' is needed");
+          "argument for '" + parameter.name + "' is '" + spelled + "'; '" + spelling(type) + "' is needed");
     return false;
   };
   const auto check_rate = [&](const Type& given) {
@@ -26,7 +26,7 @@ NodePtr Checker::argument(const ast::Expression& expression, Variable& parameter
   };
   if (!parameter.output) {
     Value value = this->expression(expression);
-    if (value.mistake() || !check_shape(value.type()) || !check_rate(value.type())) return nullptr;
+    if (value.mistake() || !check_shape(value.type(), value.spelled()) || !check_rate(value.type())) return nullptr;
     return convert_to(std::move(value), type.scalar);
   }
   if (expression.kind != ast::Expression::Kind::Name && expression.kind != ast::Expression::Kind::Index) {
@@ -34,7 +34,7 @@ NodePtr Checker::argument(const ast::Expression& expression, Variable& parameter
     return nullptr;
   }
   NodePtr place = this->place(expression, before);
-  if (!place || !check_shape(place->type) || !check_rate(place->type)) return nullptr;
+  if (!place || !check_shape(place->type, spelling(place->type)) || !check_rate(place->type)) return nullptr;
   if (!assignable(expression, type.varying, expression.where)) return nullptr;
   if (place->exact == type.scalar && place->type.varying == type.varying) return place;
   // Of another type: a variable of the parameter's own is passed and converted afterwards.
@@ -54,7 +54,7 @@ NodePtr Checker::argument(const ast::Expression& expression, Variable& parameter
 Value Checker::call_function(const Function& function, const ast::Expression& expression) {
   if (function.parameters.size() != expression.operands.size()) {
     return mistake(132, expression.where,
-                   "'" + function.name + "' takes " + std::to_string(function.parameters.size()) + " arguments, not " +
+                   "'" + function.name + "' takes " + counted(function.parameters.size(), "argument") + ", not " +
                        std::to_string(expression.operands.size()));
   }
   Nodes before, after, arguments;

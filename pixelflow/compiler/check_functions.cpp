@@ -27,7 +27,7 @@ void Checker::constants(const std::vector<ast::Declarator>& declarators, Nodes& 
     if (!value.type().same_shape(*type)) {
       error(203, declarator.where,
             "cannot initialise '" + declarator.name + "' of type '" + spelling(*type) + "' with '" +
-                spelling(value.type()) + "'");
+                value.spelled() + "'");
       continue;
     }
     NodePtr initial = convert_to(std::move(value), type->scalar);
@@ -198,8 +198,9 @@ void Checker::return_value(const ast::Statement& statement, Function& function) 
   if (value.mistake()) return;
   const Type type = value.type();
   if (type.is_void || !type.same_shape(function.result)) {
-    error(131, statement.where,
-          "function '" + function.name + "' returns '" + spelling(function.result) + "', not '" + spelling(type) + "'");
+    error(
+        131, statement.where,
+        "function '" + function.name + "' returns '" + spelling(function.result) + "', not '" + value.spelled() + "'");
     return;
   }
   if (type.varying && !function.result.varying) {

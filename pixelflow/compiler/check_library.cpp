@@ -115,7 +115,7 @@ bool Checker::arguments_fit(const std::string& name, const Values& arguments, Lo
     const Type& type = argument.type();
     if (!type.is_array()) continue;
     if (!takes_arrays(name)) {
-      error(132, argument.where, "'" + name + "' takes numbers, not '" + spelling(type) + "'");
+      error(132, argument.where, "'" + name + "' takes numbers, not '" + argument.spelled() + "'");
       return false;
     }
     if (array != nullptr && !array->same_shape(type)) {
@@ -153,13 +153,13 @@ Value Checker::call_library(const ast::Expression& expression) {
                        : "undeclared function '" + expression.name + "'");
   }
   if (arguments.size() < entry->least || arguments.size() > entry->most) {
-    std::string range = std::to_string(entry->least);
-    if (entry->most == kMany)
-      range += " or more";
-    else if (entry->most != entry->least)
-      range += " to " + std::to_string(entry->most);
+    std::string range = counted(entry->least, "argument");
+    if (entry->most == kMany) range = std::to_string(entry->least) + " arguments or more";
+    if (entry->most != kMany && entry->most != entry->least) {
+      range = std::to_string(entry->least) + " to " + counted(entry->most, "argument");
+    }
     return mistake(132, expression.where,
-                   "'" + expression.name + "' takes " + range + " arguments, not " + std::to_string(arguments.size()));
+                   "'" + expression.name + "' takes " + range + ", not " + std::to_string(arguments.size()));
   }
   if (!right) return {};
   return library(expression.name, std::move(arguments), expression.where);

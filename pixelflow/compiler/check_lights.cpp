@@ -119,6 +119,8 @@ void Checker::illuminance(const ast::Statement& statement, Statements& out, bool
   const auto& given = statement.expressions;
   if (!given.empty() && (given[0]->kind != ast::Expression::Kind::Name || given[0]->name != "px_shader_position")) {
     error(407, given[0]->where, "the position of 'illuminance' can only be px_shader_position");
+  } else if (Symbol* position = given.empty() ? nullptr : find("px_shader_position")) {
+    position->used = true;
   }
   StatementPtr result = make_statement(Statement::Kind::Illuminance, statement.where);
   StatementPtr whole = make_statement(Statement::Kind::Block, statement.where);

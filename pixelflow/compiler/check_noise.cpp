@@ -69,7 +69,8 @@ NodePtr Checker::uniform_integer(Value value, const char* what) {
 Value Checker::turbulence(Values arguments, Location where) {
   const Type type = arguments[0].type();
   if (type.rank != 1 || type.dimensions[0] != 3) {
-    return mistake(132, arguments[0].where, "'turbulence' takes a point float[3], not '" + spelling(type) + "'");
+    return mistake(132, arguments[0].where,
+                   "'turbulence' takes a point float[3], not '" + arguments[0].spelled() + "'");
   }
   NodePtr point = convert_to(std::move(arguments[0]), Scalar::floating());
   NodePtr octaves = uniform_integer(std::move(arguments[1]), "the number of octaves");
@@ -97,8 +98,9 @@ Value Checker::lookup(const std::string& name, Values arguments, Location where)
     const Type type = arguments[n].type();
     const bool fits = environment ? type.rank == 1 && type.dimensions[0] == 3 : !type.is_array();
     if (!fits) {
-      return mistake(132, arguments[n].where,
-                     "argument " + std::to_string(n + 1) + " of '" + name + "' cannot be '" + spelling(type) + "'");
+      return mistake(
+          132, arguments[n].where,
+          "argument " + std::to_string(n + 1) + " of '" + name + "' cannot be '" + arguments[n].spelled() + "'");
     }
   }
   operands.push_back(uniform_integer(std::move(arguments[0]), "the number of a texture"));

@@ -39,7 +39,7 @@ bool is_void(const Value& value) { return value.kind == Value::Kind::Typed && va
 
 bool Checker::same_shapes(const Type& a, const Type& b, Location where) {
   if (!a.is_array() || !b.is_array() || a.same_shape(b)) return true;
-  error(203, where, "arrays of different shapes, '" + spelling(a) + "' and '" + spelling(b) + "'");
+  error(203, where, "arrays of different shapes");
   return false;
 }
 

@@ -117,8 +117,8 @@ NodePtr Checker::default_value(const ast::Declarator& declarator, const Type& ty
   if (value.mistake()) return nullptr;
   if (value.type().is_void || !value.type().same_shape(type)) {
     error(203, declarator.initial->where,
-          "the default of '" + declarator.name + "' is '" + pfman::spelling(value.type()) + "'; '" +
-              pfman::spelling(type) + "' is needed");
+          "the default of '" + declarator.name + "' is '" + value.spelled() + "'; '" + pfman::spelling(type) +
+              "' is needed");
     return nullptr;
   }
   NodePtr node = convert_to(std::move(value), type.scalar);
@@ -139,6 +139,7 @@ void Checker::shader_parameter(const ast::Declarator& declarator, Shader& shader
   const bool usually_varying = known != nullptr && known->varying;
   const bool varying =
       specifiers.rate == ast::Rate::Varying || (specifiers.rate == ast::Rate::Unspecified && usually_varying);
+  const int errors = diagnostics_.errors();
   const std::optional<Type> type = type_of(declarator, varying);
   ShaderParameter parameter;
   if (type) {
@@ -165,7 +166,8 @@ void Checker::shader_parameter(const ast::Declarator& declarator, Shader& shader
   variable->output = specifiers.output;
   variable->unit = specifiers.unit;
   variable->transform = specifiers.transform;
-  declare(variable, standard && name != "px_shader_color" ? "input parameter" : nullptr);
+  Symbol& symbol = declare(variable, standard && name != "px_shader_color" ? "input parameter" : nullptr);
+  symbol.used = diagnostics_.errors() > errors;  // nothing more is to be said of a mistake
   if (point && !derived) around_.position = variable;
   if (derived) return;
   parameter.variable = variable;

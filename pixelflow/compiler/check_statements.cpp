@@ -95,7 +95,7 @@ void Checker::declaration(const ast::Declarator& declarator, Statements& out) {
   if (given.is_void || !given.same_shape(*type)) {
     error(
         203, declarator.where,
-        "cannot initialise '" + declarator.name + "' of type '" + spelling(*type) + "' with '" + spelling(given) + "'");
+        "cannot initialise '" + declarator.name + "' of type '" + spelling(*type) + "' with '" + value.spelled() + "'");
     return;
   }
   if (!varying && given.varying) {

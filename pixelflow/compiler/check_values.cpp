@@ -1,6 +1,7 @@
 // Literals get the type of what they meet; every typed expression that has to become another type is converted.
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "pixelflow/compiler/checker.h"
 #include "pixelflow/compiler/fixed_types.h"
@@ -14,6 +15,18 @@ Value Value::typed(NodePtr node) {
   value.where = node->where;
   value.node = std::move(node);
   return value;
+}
+
+std::string Value::spelled() const {
+  if (!untyped()) return spelling(type());
+  std::string text = "number";
+  for (int n = 0; n < shape.rank; ++n)
+    text += "[" + std::to_string(shape.dimensions[static_cast<std::size_t>(n)]) + "]";
+  return text;
+}
+
+std::string counted(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
 Value Value::whole(std::int64_t integer, Location where) {
@@ -102,6 +115,17 @@ void Checker::settle_together(Values values, Nodes& typed) {
   for (Value& value : values) typed.push_back(settle(std::move(value), real ? Scalar::floating() : Scalar::boolean()));
 }
 
+namespace {
+
+std::string written(double value) {
+  std::ostringstream out;
+  out.precision(10);
+  out << value;
+  return out.str();
+}
+
+}  // namespace
+
 /// A literal as the target holds it, and a warning where it cannot.
 NodePtr Checker::fit(const Value& value, NodePtr literal, const Scalar& target, bool saturate) {
   const Scalar from = literal->exact;
@@ -112,12 +136,9 @@ NodePtr Checker::fit(const Value& value, NodePtr literal, const Scalar& target, 
     const double scaled = std::floor(std::ldexp(to_double(literal->raw, from), target.exponent));
     const double kept = std::ldexp(to_double(raw, target), target.exponent);
     if (scaled != kept) {
-      std::string text = value.real ? std::to_string(value.number) : std::to_string(value.integer);
-      if (value.real) {
-        text.erase(text.find_last_not_of('0') + 1);
-        if (text.back() == '.') text += '0';
-      }
-      error(601, value.where, "constant " + text + " is out of the range of '" + spelling(target) + "'");
+      error(601, value.where,
+            "constant " + written(value.number) + " is out of the range of '" + spelling(target) + "' and becomes " +
+                written(to_double(raw, target)));
     }
   }
   return make_literal(target, raw, literal->where);
@@ -203,7 +224,7 @@ void Checker::warn_mixed(const Node& node) {
       while (base->op == Node::Op::Element) base = base->operands[0].get();
       const std::string named = base->op == Node::Op::Variable ? "'" + base->variable->name + "'" : "an operand";
       error(602, other.where,
-            named + " is float and makes fixed-point arithmetic float, whose result becomes fixed again");
+            named + " is float and makes this fixed-point arithmetic float; its result becomes fixed again");
       return;
     }
   }

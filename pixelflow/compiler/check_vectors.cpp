@@ -58,8 +58,9 @@ Value Checker::vectors(const std::string& name, Values arguments, Location where
     const bool fits =
         n < count ? is_vector(type, least, most) && type.same_shape(arguments[0].type()) : !type.is_array();
     if (!fits) {
-      return mistake(132, arguments[n].where,
-                     "argument " + std::to_string(n + 1) + " of '" + name + "' cannot be '" + spelling(type) + "'");
+      return mistake(
+          132, arguments[n].where,
+          "argument " + std::to_string(n + 1) + " of '" + name + "' cannot be '" + arguments[n].spelled() + "'");
     }
   }
   Nodes given;

@@ -40,6 +40,7 @@ struct Value {
   bool mistake() const { return kind == Kind::Mistake; }
   bool untyped() const { return kind != Kind::Mistake && kind != Kind::Typed; }
   const Type& type() const { return kind == Kind::Typed ? node->type : shape; }
+  std::string spelled() const;  ///< its type, as messages name it
 };
 using Values = std::vector<Value>;
 
@@ -213,6 +214,7 @@ class Checker {
   int effects_ = 0;  ///< assignments and calls with effects met so far
 };
 
+std::string counted(std::size_t count, const std::string& what);  ///< "1 argument", "2 arguments"
 bool is_library_function(const std::string& name);
 StatementPtr make_statement(Statement::Kind kind, Location where);
 StatementPtr make_evaluate(NodePtr expression);

@@ -25,6 +25,25 @@ struct Demand {
 };
 constexpr Demand kEverything{kAll, kAll, false};
 
+const char* named(Op op) {
+  switch (op) {
+    case Op::Negate:
+    case Op::Subtract: return "the result of '-'";
+    case Op::Add: return "the result of '+'";
+    case Op::Multiply: return "the result of '*'";
+    case Op::Divide: return "the result of '/'";
+    case Op::Remainder: return "the result of '%'";
+    case Op::ShiftLeft: return "the result of '<<'";
+    case Op::ShiftRight: return "the result of '>>'";
+    case Op::BitAnd: return "the result of '&'";
+    case Op::BitOr: return "the result of '|'";
+    case Op::BitXor: return "the result of '^'";
+    case Op::Select: return "what two branches have in common";
+    case Op::Array: return "what the elements of an array have in common";
+    default: return "the value here";
+  }
+}
+
 NodePtr aligned(NodePtr node, const Scalar& scalar) {
   if (node->type.scalar == scalar) return node;
   auto conversion = std::make_unique<Node>();
@@ -63,7 +82,7 @@ class Sizer {
     scalar = node.exact;
     scalar.exponent = exponent;
     scalar.size = std::max(1, std::min(size, demand.integer + exponent));
-    if (scalar.size > kWidest) report(node, "a value here", scalar.size);
+    if (scalar.size > kWidest) report(node, std::string(named(node.op)), scalar.size);
   }
   /// A sum's type: what its operands hand on, with its own integer bits.
   void set_sum(Node& node, int exponent, const Demand& demand) {
