@@ -113,7 +113,7 @@ void write_float_to_fixed(Assembler& a, const Operation& o) {
   a.alu(Alu::Add, To::X, P::Zero, Q::Immediate, {.imm = offset >> 8 & 0xFF, .cin = Carry::C});
   a.flag_of(Flag::K, P::X, 7);
   a.alu(Alu::Select, To::M, P::Zero, Q::M);
-  a.alu(Alu::Select, To::X, P::Zero, Q::Immediate);
+  if (offset <= 0) a.alu(Alu::Select, To::X, P::Zero, Q::Immediate);  // otherwise X counts, and K is never set
   a.alu(Alu::Sub, To::None, P::M, Q::Immediate, {.imm = 8 * bytes + 1, .cin = Carry::One, .c = true});
   a.alu(Alu::Sub, To::None, P::X, Q::Immediate, {.cin = Carry::C, .c = true});
   a.alu(Alu::Add, To::Memory, P::Zero, Q::Immediate, {.addr = over, .cin = Carry::C});  // beyond all of d

@@ -169,6 +169,11 @@ TEST(Conversion, FloatToFixed) {
       const int exponent = 127 + 8 * o.d.bytes - o.scale - static_cast<int>(random() % 40);
       a = static_cast<std::uint32_t>(std::min(std::max(exponent, 0), 255)) << 23 | (a & 0x807FFFFF);
     }
+    if (random() % 8 == 0) {  // the greatest numbers, moved the furthest
+      o.scale = 128 - static_cast<int>(random() % 4);
+      a |= 0x7E800000;
+      if (random() % 2) a &= 0xFF800000;
+    }
     Program program;
     append(program, o);
     Machine machine;
