@@ -24,7 +24,7 @@
 namespace program {
 namespace {
 
-constexpr int kMostThreads = 256, kMostPixels = 8192;
+constexpr int kMostThreads = 256, kMostPixels = 8192, kMostSamples = 16;
 constexpr int kFirstId = 1;
 
 struct ShaderOptions {
@@ -37,7 +37,7 @@ struct ShaderOptions {
   std::vector<std::string> lights;
   pfman::TestView view;
   PixelOptions pixels;
-  int threads = 1;
+  int samples = 1, threads = 1;
   bool quiet = false;
 };
 
@@ -59,6 +59,7 @@ pfman::Options compiler_options(const ShaderOptions& options) {
 /// The instance with what --set says of it.
 pfman::Instance instance_of(const pfman::CompiledShader& shader, int id, const std::vector<std::string>& values) {
   pfman::Instance instance(shader, id);
+  pfman::TestSurface::make_ordinary(instance);
   for (const std::string& value : values) {
     if (has_parameter(instance, value)) set_value(instance, value);
   }
@@ -204,8 +205,10 @@ const pfman::CompiledShader& surface_of(const ShaderFile& file, const ShaderOpti
 
 void make_shader_picture(const ShaderFile& file, const ShaderOptions& options) {
   const auto size = parse_pair(options.size, "xX");
-  if (!size || size->first < 1 || size->second < 1 || size->first > kMostPixels || size->second > kMostPixels) {
-    refuse("--size wants WIDTHxHEIGHT, each from 1 to " + std::to_string(kMostPixels) + ", not '" + options.size + "'");
+  const auto fits = [&](int pixels) { return pixels >= 1 && pixels <= kMostPixels / options.samples; };
+  if (!size || !fits(size->first) || !fits(size->second)) {
+    refuse("--size wants WIDTHxHEIGHT, each from 1 to " + std::to_string(kMostPixels) + " samples, not '" +
+           options.size + "'");
   }
   const auto shape = pfman::test_shape(options.on);
   if (!shape) refuse("--on wants plane, relief, sphere or pin, not '" + options.on + "'");
@@ -228,7 +231,7 @@ void make_shader_picture(const ShaderFile& file, const ShaderOptions& options) {
   try {
     const ShaderPicture made =
         shade_picture(view, instance_of(surface, kFirstId, options.values), std::move(lights.instances), options.pixels,
-                      options.threads, options.quiet);
+                      options.samples, options.threads, options.quiet);
     write_image(image.partial(), made.picture, {});
   } catch (const pfman::UniformError& error) {
     refuse_uniform(error, file.diagnostics);
@@ -296,10 +299,16 @@ void add_picture_options(CLI::App& command, ShaderOptions& options) {
       ->type_name("plane|relief|sphere|pin")
       ->group("Picture");
   command.add_option("--size", options.size, "Pixels")->capture_default_str()->type_name("WxH")->group("Picture");
+  command.add_option("--samples", options.samples, "N x N samples a pixel, averaged")
+      ->check(CLI::Range(1, kMostSamples).description(""))
+      ->capture_default_str()
+      ->type_name("N")
+      ->group("Picture");
   command
       .add_option("--light", options.lights,
                   "A light of this file by its name, or FILE.pfman[:NAME]; values may follow in the same word:\n"
-                  "\"point_light.pfman position=1,2,3\" [a white one from the upper left]")
+                  "\"point_light.pfman position=1,2,3\", in eye space: the eye at 0,0,0 looks along -z [a white one\n"
+                  "from the upper left]")
       ->type_name("LIGHT")
       ->allow_extra_args(false)
       ->group("Picture");

@@ -55,7 +55,30 @@ class Workers {
   std::vector<std::unique_ptr<Worker>> free_;
 };
 
-/// Colours of the pixels that show the surface; the others stay black.
+constexpr float kBackground[] = {30, 33, 38};
+
+/// The means of samples x samples colours.
+scanline::Picture averaged(const std::vector<float>& colors, int width, int height, int samples) {
+  const auto row_length = static_cast<std::size_t>(width) * static_cast<std::size_t>(samples);
+  std::vector<float> means;
+  means.reserve(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  for (int row = 0; row < height; ++row) {
+    for (int column = 0; column < width; ++column) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        float sum = 0;
+        for (int n = 0; n < samples * samples; ++n) {
+          const auto x = static_cast<std::size_t>(column * samples + n % samples);
+          const auto y = static_cast<std::size_t>(row * samples + n / samples);
+          sum += colors[3 * (y * row_length + x) + c];
+        }
+        means.push_back(sum / static_cast<float>(samples * samples));
+      }
+    }
+  }
+  return scanline::Picture(width, height, std::move(means));
+}
+
+/// Colours of the pixels that show the surface; the others stay as they are.
 void copy_colors(const pixelflow::PixelArray& array, const pfman::TestView& view, int first_column, int first_row,
                  std::vector<float>& colors) {
   const auto lanes = static_cast<std::size_t>(array.lanes());
@@ -77,13 +100,15 @@ void copy_colors(const pixelflow::PixelArray& array, const pfman::TestView& view
 
 }  // namespace
 
-ShaderPicture shade_picture(const pfman::TestView& view, pfman::Instance surface, std::vector<pfman::Instance> lights,
-                            const PixelOptions& pixels, int threads, bool quiet) {
+ShaderPicture shade_picture(const pfman::TestView& picture_view, pfman::Instance surface,
+                            std::vector<pfman::Instance> lights, const PixelOptions& pixels, int samples, int threads,
+                            bool quiet) {
+  pfman::TestView view = picture_view;
+  view.width *= samples;
+  view.height *= samples;
   const pfman::TestSurface test(view);
   const pfman::TextureMemory textures = pfman::test_textures();
-  pfman::TestSurface::make_ordinary(surface);
   test.place(surface);
-  for (pfman::Instance& light : lights) test.place(light);
   try {
     pfman::ShadingNode({surface}, lights, &textures);
   } catch (const std::invalid_argument& mistake) {
@@ -92,7 +117,9 @@ ShaderPicture shade_picture(const pfman::TestView& view, pfman::Instance surface
 
   const int across = (view.width + kRegionWidth - 1) / kRegionWidth;
   const int down = (view.height + kRegionHeight - 1) / kRegionHeight;
-  std::vector<float> colors(static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height) * 3);
+  std::vector<float> colors;
+  const std::size_t numbers = static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height) * 3;
+  while (colors.size() < numbers) colors.push_back(kBackground[colors.size() % 3]);
   Workers workers(surface, lights, textures, pixels);
   {
     Progress progress("regions", across * down, quiet);
@@ -106,7 +133,7 @@ ShaderPicture shade_picture(const pfman::TestView& view, pfman::Instance surface
       progress.advance();
     });
   }
-  ShaderPicture result{scanline::Picture(view.width, view.height, std::move(colors)), {}, 0};
+  ShaderPicture result{averaged(colors, picture_view.width, picture_view.height, samples), {}, 0};
   for (const auto& worker : workers.all()) {
     const pfman::ShadingNode::Cycles& cycles = worker->node.cycles();
     result.cycles.pre += cycles.pre;

@@ -16,9 +16,10 @@ struct ShaderPicture {
   int regions = 0;
 };
 
-/// `surface` and `lights` have their values in the test surface's own coordinates. The picture is the same on any
-/// number of threads. Throws scanline::UserError where the lights do not fit the surface, and pfman::UniformError.
+/// The values of `surface` are in the test surface's own coordinates, those of `lights` in eye space. A pixel is the
+/// mean of samples x samples. The picture is the same on any number of threads. Throws scanline::UserError where the
+/// lights do not fit the surface, and pfman::UniformError.
 ShaderPicture shade_picture(const pfman::TestView& view, pfman::Instance surface, std::vector<pfman::Instance> lights,
-                            const PixelOptions& pixels, int threads, bool quiet);
+                            const PixelOptions& pixels, int samples, int threads, bool quiet);
 
 }  // namespace program

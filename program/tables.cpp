@@ -11,6 +11,7 @@
 #include "program/pixel_options.h"
 #include "program/pixelflow_tables.h"
 #include "program/refuse.h"
+#include "program/shader_tables.h"
 #include "scanline/edge_history.h"
 #include "scanline/golden_generator.h"
 #include "scanline/scene_frame.h"
@@ -98,9 +99,16 @@ bool is_pixelflow(const std::string& name) { return name.starts_with("pixelflow"
 
 void run_pixelflow_tables(const TablesOptions& options) {
   const auto array = make_array(options.pixels, pixelflow::kElements);
-  const std::filesystem::path tables = data_folder(options.data) / "tables";
-  const Table table = options.name == "pixelflow2" ? pixelflow2(*array, tables) : pixelflow3(*array, tables);
-  write_standard_output(options.json ? table_json(table).dump(1) + "\n" : pixelflow_text(table));
+  const std::filesystem::path data = data_folder(options.data);
+  const std::string& name = options.name;
+  const bool of_shaders = name == "pixelflow1" || name == "pixelflow4";
+  const Table table = name == "pixelflow1"   ? pixelflow1(*array, data)
+                      : name == "pixelflow2" ? pixelflow2(*array, data / "tables")
+                      : name == "pixelflow3" ? pixelflow3(*array, data / "tables")
+                                             : pixelflow4(data);
+  write_standard_output(options.json ? table_json(table).dump(1) + "\n"
+                        : of_shaders ? shader_table_text(table)
+                                     : pixelflow_text(table));
 }
 
 }  // namespace
@@ -109,11 +117,15 @@ void add_tables(CLI::App& app, const std::string& command_line) {
   CLI::App* command = app.add_subcommand("tables", "Published figures beside measured ones, row by row");
   command->group("Results of the thesis and the paper");
   const auto options = std::make_shared<TablesOptions>();
-  command->add_option("name", options->name, "fig32, fig33: figures of the thesis; claims: statements of its text; pixelflow2, pixelflow3: "
-                                            "cycles of arithmetic and of functions on the pixel processors")
+  command
+      ->add_option(
+          "name", options->name,
+          "fig32, fig33: figures of the thesis; claims: statements of its text; pixelflow1, pixelflow4: cycles\n"
+          "and memory of shaders; pixelflow2, pixelflow3: cycles of arithmetic and of functions")
       ->required()
-      ->check(CLI::IsMember({"fig32", "fig33", "claims", "pixelflow2", "pixelflow3"}).description(""))
-      ->type_name("fig32|fig33|claims|pixelflow2|pixelflow3");
+      ->check(CLI::IsMember({"fig32", "fig33", "claims", "pixelflow1", "pixelflow2", "pixelflow3", "pixelflow4"})
+                  .description(""))
+      ->type_name("fig32|fig33|claims|pixelflow1|pixelflow2|pixelflow3|pixelflow4");
   command->add_flag("--json", options->json, "JSON instead of a table for people")->group("Output");
   command
       ->add_option("--data", options->data,

@@ -123,8 +123,7 @@ void TestSurface::place(Instance& instance) const {
 void TestSurface::make_ordinary(Instance& instance) {
   const Point nowhere{};
   for (const TransferEntry& entry : transfer_map(instance.shader()).entries) {
-    if (!value_at(nowhere, entry.name, entry.type.count()).empty() && !instance.bound().contains(entry.name))
-      instance.make_ordinary(entry.name);
+    if (!value_at(nowhere, entry.name, entry.type.count()).empty()) instance.make_ordinary(entry.name);
   }
 }
 

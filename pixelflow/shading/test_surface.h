@@ -46,8 +46,8 @@ class TestSurface {
   /// default, both in the shape's coordinates.
   void place(Instance& instance) const;
 
-  /// Declares as ordinary the varying parameters that fill() knows and the instance has no value for: px_material_* and
-  /// px_shader_texcoord, surface_height and surface_data.
+  /// Declares as ordinary the varying parameters that fill() knows: px_material_* and px_shader_texcoord,
+  /// surface_height and surface_data. One that is set afterwards is bound.
   static void make_ordinary(Instance& instance);
 
   /// Writes a region of 128 x 64 pixels into memory, or as many rows of it as the array has elements for. Pixels
