@@ -38,7 +38,7 @@ Value Checker::fold(Operator op, const Value& a, const Value* b, Location where)
       case Operator::Not: return Value::whole(x == 0, where);
       default:
         if (a.real) return mistake(202, where, "'~' of a real number");
-        return mistake(202, where, "the result of '~' has more than 63 bits; give the operand a type");
+        return mistake(202, where, "'~' of a literal, which has no size of its own; give it a type");
     }
   }
   const double y = b->number;
