@@ -30,7 +30,7 @@ class Evaluator {
       case Op::Element: {
         const Place place = element(node);
         const auto first = place.value->begin() + static_cast<std::ptrdiff_t>(place.first);
-        return Raw(first, first + static_cast<std::ptrdiff_t>(place.count));
+        return conform(Raw(first, first + static_cast<std::ptrdiff_t>(place.count)), node.operands[0]->type, node);
       }
       case Op::Array: return array(node);
       case Op::And: return {scalar(*node.operands[0]) != 0 && scalar(*node.operands[1]) != 0 ? 1u : 0u};
@@ -55,18 +55,21 @@ class Evaluator {
       }
       case Op::Texture:
       case Op::Environment: throw UniformError(node.where, "a texture lookup happens at the pixels, not on the host");
-      case Op::Assign: return assign(*node.operands[0], value(*node.operands[1]), node.operands[1]->type);
+      case Op::Assign: {
+        Raw assigned = assign(*node.operands[0], value(*node.operands[1]), node.operands[1]->type);
+        return conform(std::move(assigned), root(*node.operands[0]).type, node);
+      }
       case Op::Sequence: {
         Raw last;
         for (const NodePtr& part : node.operands) last = value(*part);
-        return last;
+        return conform(std::move(last), node.operands.back()->type, node);
       }
       case Op::Postfix: {
         Raw old = value(*node.operands[0]);
         assign(*node.operands[0], value(*node.operands[1]), node.operands[1]->type);
-        return old;
+        return conform(std::move(old), node.operands[0]->type, node);
       }
-      case Op::Call: return call(node);
+      case Op::Call: return conform(call(node), node.function->result, node);
       default: return elementwise(node);
     }
   }
@@ -200,7 +203,7 @@ class Evaluator {
     const Scalar& to = node.type.scalar;
     const bool saturate = node.op == Op::Saturate;
     for (std::uint64_t& raw : result) {
-      if (!saturate && to == Scalar::boolean() && !from.is_float) {
+      if (!saturate && node.exact == Scalar::boolean() && !from.is_float) {
         raw = raw != 0;
       } else {
         raw = convert(raw, from, to, saturate);

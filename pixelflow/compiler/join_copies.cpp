@@ -7,6 +7,7 @@
 
 #include "pixelflow/compiler/ir_access.h"
 #include "pixelflow/compiler/lifetime.h"
+#include "pixelflow/compiler/memory_layout.h"
 
 namespace pfman {
 
@@ -23,12 +24,18 @@ class Round {
         variables_(static_cast<int>(code.variables.size())),
         apart_(variables_, variables_),
         to_(variables_),
-        keeps_type_(variables_, false) {
+        keeps_type_(variables_, false),
+        writes_(variables_, 0) {
     for (int v = 0; v < variables_; ++v) to_[v] = v;
     for (const ir::Parameter& parameter : code.parameters) {
       for (const int v : parameter.variables) keeps_type_[v] = true;
     }
     for (const int v : code.color) keeps_type_[v] = true;
+    for (const Instruction& instruction : code.code) {
+      ir::each_operand(code, instruction, [&](const Operand& o, Access access) {
+        if (access != Access::Read) ++writes_[o.variable];
+      });
+    }
     find_apart();
   }
 
@@ -134,11 +141,19 @@ class Round {
       return false;
     }
     if (is_outside(stays) && is_color(goes)) return false;
+    // Lights still read the position: what goes there may not be written but by the copy.
+    if (is_position(stays) && writes_[goes] > 1) return false;
     to_[goes] = stays;
+    writes_[stays] += writes_[goes] - 1;
     keeps_type_[stays] = keeps_type_[stays] || keeps_type_[goes];
     apart_.add(stays, apart_.row(goes));
     apart_.each(goes, [&, stays = stays](int v) { apart_.set(v, stays); });
     return true;
+  }
+
+  bool is_position(int v) const {
+    const std::optional<int> address = code_.variables[v].address;
+    return address && *address >= kPositionAt && *address < kMaskAt;
   }
 
   /// In the shared area, where the colour is written in the end.
@@ -152,6 +167,7 @@ class Round {
   BitMatrix apart_;
   std::vector<int> to_;
   std::vector<bool> keeps_type_;
+  std::vector<int> writes_;
 };
 
 }  // namespace
