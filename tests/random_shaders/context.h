@@ -19,7 +19,8 @@ struct Name {
   int rows = 0;  ///< of an array; 0 for a scalar
   bool uniform = false;
   bool writable = true;
-  int mask = 0;  ///< the masked block that it is declared in
+  int mask = 0;           ///< the masked block that it is declared in
+  bool constant = false;  ///< `const`
 };
 
 struct FunctionName {

@@ -117,17 +117,20 @@ Typed bits(Writer& writer, const Context& context, const Wish& wish) {
 Typed shift(Writer& writer, const Context& context, const Wish& wish) {
   const std::string op = writer.random.one_in(2) ? "<<" : ">>";
   Typed a = fixed_value(writer, context, {0, wish.uniform, wish.depth - 1, wish.bounded});
-  if (writer.random.one_in(2)) {
+  // A count that is made of constants would be one, so that it takes a variable.
+  std::vector<std::string> counts;
+  for (const Name& name : context.names) {
+    const bool variable = name.uniform && !name.constant && name.rows == 0 && !context.busy.contains(name.text);
+    if (variable && name.number == signed_fixed(32, 0)) counts.push_back(name.text);
+  }
+  if (counts.empty() || writer.random.one_in(2)) {
     const int count = writer.random.between(0, 9);
     a.number.exponent += op == "<<" ? -count : count;
     a.piece = expression("($ " + op + " " + std::to_string(count) + ")", {a.piece});
     return a;
   }
   if (a.number.size > kStored) return a;
-  const Typed count = fixed_value(writer, context, {0, true, 0, false});
-  const Number whole = reference::signed_fixed(32, 0);
-  Typed low = cast(writer, count, whole, false);
-  return {expression("($ " + op + " ($ & 7))", {a.piece, low.piece}), a.number, 0, a.uniform};
+  return {expression("($ " + op + " (" + writer.random.of(counts) + " & 7))", {a.piece}), a.number, 0, a.uniform};
 }
 
 Typed unary(Writer& writer, const Context& context, const Wish& wish) {

@@ -150,9 +150,14 @@ Piece light_definition(Writer& writer, const Context& functions, const std::stri
   if (kind <= 1) {
     pieces.push_back(sequence({text("illuminate ("), vector(false), text(") {\n"), all, text("}\n")}));
   } else if (kind == 2) {
-    pieces.push_back(
-        sequence({text("illuminate ("), vector(false), text(", "), vector(false), text(", "),
-                  float_value(writer, context, {0, true, 1, false}).piece, text(") {\n"), all, text("}\n")}));
+    // The cone is tested behind the body, which must not change what it is made of.
+    Context kept = context;
+    for (const Name& one : context.names) {
+      if (one.writable) kept.busy.insert(one.text);
+    }
+    pieces.push_back(sequence({text("illuminate ("), vector(false), text(", "),
+                               array_value(writer, kept, {3, false, 1, false}).piece, text(", "),
+                               float_value(writer, kept, {0, true, 1, false}).piece, text(") {\n"), all, text("}\n")}));
   } else if (kind == 3) {
     pieces.push_back(sequence({text("solar ("), vector(false), text(", 0.0) {\n"), all, text("}\n")}));
   } else {

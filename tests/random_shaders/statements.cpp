@@ -193,6 +193,7 @@ Piece declaration(Writer& writer, Context& context) {
   const std::string dimension = name.rows > 0 ? "[" + std::to_string(name.rows) + "]" : "";
   if (name.uniform && name.rows == 0 && writer.random.one_in(4)) {
     name.writable = false;
+    name.constant = true;
     context.names.push_back(name);
     return text("const " + spelled(name.number) + " " + name.text + " = " + literal_for(writer.random, name.number) +
                 ";\n");

@@ -68,9 +68,7 @@ void limit(Node& node, const Demand& demand) {
   switch (node.kind) {
     case Node::Kind::Index:
       if (node.operands[0]->kind != Node::Kind::Read && node.operands[0]->kind != Node::Kind::Index) {
-        limit(*node.operands[0], demand);
-        exponent = node.operands[0]->number.exponent;
-        size = node.operands[0]->number.size;
+        limit(*node.operands[0], kEverything);
       }
       break;
     case Node::Kind::Array:

@@ -60,10 +60,20 @@ bool meet(std::vector<NodePtr>& nodes) {
 }
 
 NodePtr root(NodePtr node, const Number& target, bool saturate) {
+  if (node->untyped && node->kind == Node::Kind::Array) {
+    // Literals alone: each of them goes to the target.
+    for (NodePtr& operand : node->operands) operand = root(std::move(operand), target, saturate);
+    node->untyped = false;
+    node->number = target;
+    return node;
+  }
   settle(*node, target);
   if (!node->number.floating) {
     if (target.floating || target.is_bool()) {
       limit(*node, kEverything);
+      if (target.floating && !node->uniform && (node->number.exponent < -64 || node->number.exponent > 128)) {
+        fail(210, node->where, "exponent of " + spelling(node->number) + " is too far off for a float");
+      }
     } else {
       limit(*node, {saturate ? kAll : target.size - target.exponent, target.exponent, false});
     }
