@@ -21,8 +21,6 @@ using pixelflow::ZMode;
 using Kind = ir::Instruction::Kind;
 
 constexpr int kBitsOfByte = 8;
-constexpr int kBaseBit = 0;  ///< of a stage's own region, in the shared byte
-
 bool is_masked_loop(const ir::Instruction& i) { return i.kind == Kind::Loop && i.mask >= 0; }
 
 }  // namespace
@@ -31,8 +29,10 @@ EnableMasks::EnableMasks(StreamWriter& out, const ir::Code& code, std::vector<in
     : out_(out), code_(code), deep_(std::move(deep)), ids_(std::move(ids)) {}
 
 bool EnableMasks::restores_within(int first, int last) const {
-  return std::any_of(code_.code.begin() + first, code_.code.begin() + last,
-                     [](const ir::Instruction& i) { return i.kind == Kind::IfMasked || is_masked_loop(i); });
+  return std::any_of(code_.code.begin() + first, code_.code.begin() + last, [](const ir::Instruction& i) {
+    // An external function may have conditions of its own.
+    return i.kind == Kind::IfMasked || i.kind == Kind::External || is_masked_loop(i);
+  });
 }
 
 int EnableMasks::bits_within(int first, int last) const {
@@ -88,28 +88,36 @@ void EnableMasks::load_enable(Assembler& out, const Region& region) const {
   const int byte = region.bit / kBitsOfByte;
   out.flag_of_memory(Flag::E, address(static_cast<std::size_t>(byte)), region.bit % kBitsOfByte);
   // The deeper bytes lie in the shader's own memory: elsewhere they may be anything.
-  if (byte > 0 && !ids_.empty()) out.flag_of_memory(Flag::E, kMaskAt, kBaseBit, false, FlagOp::And);
+  if (byte > 0 && base_bit_ >= 0) out.flag_of_memory(Flag::E, kMaskAt, base_bit_, false, FlagOp::And);
 }
 
 void EnableMasks::begin_stage(int first, int last) {
-  const bool restores = restores_within(first, last);
-  const bool own_bit = restores && !ids_.empty();
-  const int bits = bits_within(first, last) + (own_bit ? 1 : 0);
   Region stage;
   stage.known.assign(1 + deep_.size(), 0);
+  out_.bare([&](Assembler& out) { enable_ids(out); });
+  begin(std::move(stage), first, last, ids_.empty());
+}
+
+/// `everywhere`: the flag is set in all elements, and can be set again without a bit that tells where.
+void EnableMasks::begin(Region stage, int first, int last, bool everywhere) {
+  const bool own_bit = restores_within(first, last) && !everywhere;
   stage.dirt.assign(stage.known.size(), false);
+  base_bit_ = -1;
   if (own_bit) {
-    stage.bit = set_bit(stage, kBaseBit);
-    stage.free_bit = kBaseBit + 1;
+    if (stage.free_bit >= kBitsOfByte) throw std::invalid_argument("no bit of the shared mask byte is left");
+    base_bit_ = stage.bit = set_bit(stage, stage.free_bit++);
+  }
+  const int bits = stage.free_bit + bits_within(first, last);
+  if (bits > stage.free_bit && bits > kBitsOfByte * static_cast<int>(stage.known.size())) {
+    throw std::logic_error("more mask bits than there are bytes for them");
   }
   out_.bare([&](Assembler& out) {
-    enable_ids(out);
     if (own_bit) out.store_constant(stage.known[0], kMaskAt);
-    for (int byte = 1; byte * kBitsOfByte < bits; ++byte) {
+    for (int byte = 1; byte * kBitsOfByte < bits && bits > stage.free_bit; ++byte) {
       out.store_constant(0, address(static_cast<std::size_t>(byte)));
     }
   });
-  regions_ = {stage};
+  regions_ = {std::move(stage)};
   constructs_.clear();
   pending_ = pending_next_ = false;
 }
@@ -118,6 +126,30 @@ void EnableMasks::end_stage() {
   if (regions_.size() != 1) throw std::logic_error("a stage ends within a construct");
   if (regions_[0].known[0] == 0 && !regions_[0].dirt[0]) return;
   out_.bare([](Assembler& out) { out.store_constant(0, kMaskAt, Gate::None); });
+}
+
+void EnableMasks::begin_call(int first, int last, int known, int free_bit) {
+  Region call;
+  call.known.assign(1 + deep_.size(), 0);
+  call.known[0] = known;
+  call.free_bit = free_bit;
+  begin(std::move(call), first, last, false);
+}
+
+void EnableMasks::end_call() {
+  if (regions_.size() != 1) throw std::logic_error("a call ends within a construct");
+  prepare();
+  Region before = regions_[0];
+  if (base_bit_ >= 0) before.known[0] &= ~(1 << base_bit_);
+  store_known(before);
+}
+
+EnableMasks::SharedByte EnableMasks::settle() {
+  prepare();
+  Region& region = regions_.back();
+  if (dirty()) store_known(region);
+  region.dirt.assign(region.dirt.size(), false);
+  return {region.known[0], region.free_bit};
 }
 
 void EnableMasks::prepare() {

@@ -31,6 +31,17 @@ class EnableMasks {
   /// Afterwards the shared mask byte is zero in every element.
   void end_stage();
 
+  /// The same within another stream: the flag is what it is, and will be again. Of the shared mask byte its elements
+  /// have `known`, all elements zeros from `free_bit` on.
+  void begin_call(int first, int last, int known, int free_bit);
+  void end_call();
+
+  /// The shared mask byte of the flag's elements as begin_call() takes it: nothing is left in the free bits.
+  struct SharedByte {
+    int known, free_bit;
+  };
+  SharedByte settle();
+
   /// False where no element can be enabled: what would be executed is left out.
   bool reachable() const { return !regions_.back().dead; }
   /// To be called before something is executed: the flag becomes that of the region.
@@ -65,6 +76,7 @@ class EnableMasks {
     std::size_t regions = 0;  ///< how many there were outside
   };
 
+  void begin(Region stage, int first, int last, bool everywhere);
   bool restores_within(int first, int last) const;
   int bits_within(int first, int last) const;
   Region inner(const Region& outer, int bit, int free_bit) const;
@@ -79,6 +91,7 @@ class EnableMasks {
   const ir::Code& code_;
   std::vector<int> deep_;
   std::vector<int> ids_;
+  int base_bit_ = -1;  ///< of the stage's own region, in the shared byte; -1: none
   std::vector<Region> regions_;
   std::vector<Construct> constructs_;
   bool pending_ = false;       ///< the flag is not yet that of the last region

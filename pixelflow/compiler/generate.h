@@ -54,8 +54,7 @@ struct GenerateInput {
   friend bool operator==(const GenerateInput&, const GenerateInput&) = default;
 };
 
-/// A C++ function that shaders call with varying arguments: it appends to the stream. It may use the bytes from `work`
-/// on, as many as it was registered with.
+/// A varying argument: where it lies in pixel memory, and its type.
 struct PixelVariable {
   std::uint8_t address = 0;
   std::uint8_t bytes = 0;  ///< of one number
@@ -67,7 +66,20 @@ struct ExternalArgument {
   std::optional<PixelVariable> pixel;
   Raw uniform;
 };
-using PixelFunction = void (*)(pixelflow::Program& stream, const std::vector<ExternalArgument>& arguments, int work);
+/// What an external function may use besides its arguments.
+struct PixelWorkspace {
+  int first = 0;  ///< in pixel memory
+  int bytes = 0;
+  /// Of the shared mask byte: its value wherever the enable flag is set, and the first bit that may be used; from that
+  /// one on the byte is zero everywhere, and has to be again.
+  int mask = 0;
+  int free_mask_bit = 0;
+};
+
+/// A C++ function that shaders call with varying arguments: it appends to the stream. Arguments come in the order of
+/// its parameters, a varying result behind them. The enable flag has to be left as it was.
+using PixelFunction = void (*)(pixelflow::Program& stream, const std::vector<ExternalArgument>& arguments,
+                               const PixelWorkspace& workspace);
 
 /// Functions of C++ that shaders may call, by linkage name. Register before compiling.
 void register_external(const std::string& name, UniformFunction function);
@@ -76,6 +88,14 @@ void register_external(const std::string& name, PixelFunction function, int work
 /// The streams of a surface or a light. Throws UniformError, and std::invalid_argument for a parameter with another
 /// number of values than it has.
 Streams generate(const CompiledShader& shader, const GenerateInput& input);
+
+/// Appends a call of a function of the language, for C++: arguments in the order of its parameters, then the result.
+/// Varying parameters also take uniform arguments, uniform ones take no others; outputs are in pixel memory, and have
+/// the values that the function leaves where the enable flag is set. Throws std::invalid_argument for a function that
+/// the unit does not have or that looks up textures, for arguments that do not fit it, and where the workspace does not
+/// suffice; UniformError.
+void append_call(pixelflow::Program& stream, const CompiledUnit& unit, const std::string& function,
+                 const std::vector<ExternalArgument>& arguments, const PixelWorkspace& workspace);
 
 /// What a parameter has where it is not set, in its own type.
 Raw default_value(const CompiledShader& shader, const ShaderParameter& parameter);

@@ -126,7 +126,7 @@ void Lowering::finish_colour() {
     if (!variable.output) continue;
     const Binding colour = binding(variable);
     if (static_cast<int>(colour.variables.size()) == variable.type.count()) {
-      code_.color = colour.variables;
+      code_.color.insert(code_.color.end(), colour.variables.begin(), colour.variables.end());
       continue;
     }
     for (int n = 0; n < variable.type.count(); ++n) {

@@ -1,0 +1,223 @@
+// Functions of the language called from C++ (Olano and Lastra 1998, section 3.3): compiled like a surface of which the
+// results are the colour, in memory that is then moved to where the caller has some.
+#include <algorithm>
+#include <stdexcept>
+
+#include "pixelflow/compiler/lifetime.h"
+#include "pixelflow/compiler/lower.h"
+#include "pixelflow/compiler/memory_layout.h"
+#include "pixelflow/compiler/stage_walker.h"
+
+namespace pfman {
+namespace {
+
+[[noreturn]] void refuse(const Function& function, const std::string& what) {
+  throw std::invalid_argument("function '" + function.name + "': " + what);
+}
+
+NodePtr reference(Variable& variable) {
+  auto node = std::make_unique<Node>();
+  node->op = Node::Op::Variable;
+  node->type = variable.type;
+  node->exact = variable.type.scalar;
+  node->where = variable.where;
+  node->variable = &variable;
+  return node;
+}
+
+StatementPtr evaluation(NodePtr expression) {
+  auto statement = std::make_unique<Statement>();
+  statement->kind = Statement::Kind::Evaluate;
+  statement->where = expression->where;
+  statement->expression = std::move(expression);
+  return statement;
+}
+
+NodePtr assignment(Variable& target, NodePtr value) {
+  auto node = std::make_unique<Node>();
+  node->op = Node::Op::Assign;
+  node->type = target.type;
+  node->exact = target.type.scalar;
+  node->where = target.where;
+  node->operands.push_back(reference(target));
+  node->operands.push_back(std::move(value));
+  return node;
+}
+
+/// A shader around one call: its parameters are the function's, its output is what the function leaves.
+class CallShader {
+ public:
+  explicit CallShader(const Function& function) : function_(function) {
+    shader_.name = function.name;
+    shader_.where = function.where;
+    auto call = std::make_unique<Node>();
+    call->op = Node::Op::Call;
+    call->type = function.result;
+    call->exact = function.result.scalar;
+    call->where = function.where;
+    call->function = &function;
+    std::vector<Variable*> outputs;
+    for (const Variable* parameter : function.parameters) {
+      Variable* const variable = add(*parameter, Variable::Role::Parameter);
+      shader_.parameters.push_back({variable, nullptr, true});
+      if (!parameter->output) {
+        call->operands.push_back(reference(*variable));
+        continue;
+      }
+      // What comes in and what goes out are two variables: the first has its place given.
+      outputs.push_back(add(*parameter, Variable::Role::Parameter));
+      outputs.back()->output = true;
+      shader_.body.push_back(evaluation(assignment(*outputs.back(), reference(*variable))));
+      call->operands.push_back(reference(*outputs.back()));
+    }
+    if (function.result.is_void) {
+      shader_.body.push_back(evaluation(std::move(call)));
+    } else {
+      Variable result;
+      result.name = "result";
+      result.where = function.where;
+      result.type = function.result;
+      outputs.push_back(add(result, Variable::Role::Parameter));
+      outputs.back()->type.varying = true;
+      outputs.back()->output = true;
+      shader_.body.push_back(evaluation(assignment(*outputs.back(), std::move(call))));
+    }
+    for (Variable* output : outputs) shader_.parameters.push_back({output, nullptr, true});
+  }
+
+  const Shader& shader() const { return shader_; }
+  Variable& parameter(std::size_t number) const { return *shader_.parameters[number].variable; }
+
+ private:
+  Variable* add(const Variable& model, Variable::Role role) {
+    auto& variable = variables_.emplace_back(std::make_unique<Variable>(model));
+    variable->role = role;
+    variable->output = false;
+    variable->id = -static_cast<int>(variables_.size());
+    return variable.get();
+  }
+
+  const Function& function_;
+  Shader shader_;
+  std::vector<std::unique_ptr<Variable>> variables_;
+};
+
+/// Mask bits begin where the caller's end.
+void add_mask_bytes(ir::Code& code, int free_mask_bit) {
+  constexpr int kBits = 8;
+  while (free_mask_bit + code.mask_bits > kBits * (1 + static_cast<int>(code.mask_bytes.size()))) {
+    ir::Variable byte;
+    byte.name = "mask" + std::to_string(code.mask_bytes.size() + 1);
+    byte.scalar = Scalar::fixed(false, kBits, 0);
+    byte.temporary = true;
+    byte.where = code.where;
+    code.mask_bytes.push_back(static_cast<int>(code.variables.size()));
+    code.variables.push_back(std::move(byte));
+  }
+}
+
+CompiledShader compile_call(const Tree& tree, const CallShader& call, const Function& function, int free_mask_bit) {
+  Diagnostics diagnostics;
+  CompiledShader compiled;
+  compiled.shader = &call.shader();
+  compiled.tree = &tree;
+  compiled.code = lower(tree, call.shader(), {}, diagnostics);
+  if (!diagnostics.has_errors()) {
+    if (compiled.code.mask_bits > 0) add_mask_bytes(compiled.code, free_mask_bit);
+    to_ssa(compiled.code, diagnostics);
+    merge_phis(compiled.code);
+    drop_unused(compiled.code);
+    join_copies(compiled.code);
+    compiled.map = allocate(compiled.code, {}, diagnostics);
+  }
+  for (const Diagnostic& diagnostic : diagnostics.all()) {
+    if (diagnostic.is_error()) refuse(function, diagnostic.text);
+  }
+  for (const ir::Instruction& instruction : compiled.code.code) {
+    if (instruction.kind == ir::Instruction::Kind::Lookup) refuse(function, "textures are looked up by shaders only");
+  }
+  return compiled;
+}
+
+/// From the shader's own part of the memory to the caller's.
+void move_memory(CompiledShader& compiled, const PixelWorkspace& workspace, const Function& function) {
+  const int bytes = compiled.map.first_free - kParametersAt;
+  if (workspace.bytes < bytes || workspace.first < 0 || workspace.first + bytes > pixelflow::kMemoryBytes) {
+    refuse(function, "needs " + std::to_string(bytes) + " bytes of workspace");
+  }
+  const int distance = workspace.first - kParametersAt;
+  for (int& address : compiled.map.address) {
+    if (address >= 0) address += distance;
+  }
+  for (ir::Instruction& instruction : compiled.code.code) instruction.work += distance;
+}
+
+void check_variable(const Function& function, const std::string& name, const PixelVariable& place, const Type& type) {
+  const Scalar& scalar = type.scalar;
+  const int kind = scalar.is_float ? 2 : scalar.is_signed ? 1 : 0;
+  if (place.bytes != scalar.bytes() || place.kind != kind || place.count != type.count() ||
+      (!scalar.is_float && place.exponent != scalar.exponent)) {
+    refuse(function, "'" + name + "' is " + spelling(type));
+  }
+  if (place.address + type.bytes() > pixelflow::kMemoryBytes) refuse(function, "'" + name + "' leaves the memory");
+}
+
+void check_argument(const Function& function, const Variable& parameter, const ExternalArgument& argument) {
+  if (argument.pixel) {
+    if (!parameter.type.varying) refuse(function, "'" + parameter.name + "' is uniform");
+    check_variable(function, parameter.name, *argument.pixel, parameter.type);
+    return;
+  }
+  if (parameter.output) refuse(function, "'" + parameter.name + "' is an output and lies in pixel memory");
+  if (argument.uniform.size() != static_cast<std::size_t>(parameter.type.count())) {
+    refuse(function, "'" + parameter.name + "' has " + std::to_string(parameter.type.count()) + " numbers");
+  }
+}
+
+}  // namespace
+
+void append_call(pixelflow::Program& stream, const CompiledUnit& unit, const std::string& name,
+                 const std::vector<ExternalArgument>& arguments, const PixelWorkspace& workspace) {
+  const auto found = std::find_if(unit.tree.functions.begin(), unit.tree.functions.end(),
+                                  [&](const std::unique_ptr<Function>& function) { return function->name == name; });
+  if (found == unit.tree.functions.end() || (*found)->is_external) {
+    throw std::invalid_argument("there is no function '" + name + "'");
+  }
+  const Function& function = **found;
+  const std::size_t parameters = function.parameters.size(), result = function.result.is_void ? 0 : 1;
+  if (arguments.size() != parameters + result) {
+    refuse(function, "takes " + std::to_string(parameters + result) + " arguments, its result among them");
+  }
+  std::vector<PixelVariable> results;
+  for (std::size_t n = 0; n < parameters; ++n) {
+    check_argument(function, *function.parameters[n], arguments[n]);
+    if (function.parameters[n]->output) results.push_back(*arguments[n].pixel);
+  }
+  if (result > 0) {
+    if (!arguments.back().pixel) refuse(function, "the result lies in pixel memory");
+    check_variable(function, "result", *arguments.back().pixel, function.result);
+    results.push_back(*arguments.back().pixel);
+  }
+
+  const CallShader call(function);
+  CompiledShader compiled = compile_call(unit.tree, call, function, workspace.free_mask_bit);
+  move_memory(compiled, workspace, function);
+  Environment environment;
+  for (const NodePtr& constant : unit.tree.constants) evaluate(*constant, environment);
+  for (std::size_t n = 0; n < parameters; ++n) {
+    if (!call.parameter(n).type.varying) environment[&call.parameter(n)] = arguments[n].uniform;
+  }
+  Stream made;
+  const std::vector<ExternalArgument> given(arguments.begin(),
+                                            arguments.begin() + static_cast<std::ptrdiff_t>(parameters));
+  StageWalker(compiled, environment, {}, made).walk_call(given, results, workspace);
+  const pixelflow::Program& program = made.parts.at(0).program;
+  const auto first = static_cast<std::uint32_t>(stream.instructions.size());
+  stream.instructions.insert(stream.instructions.end(), program.instructions.begin(), program.instructions.end());
+  for (pixelflow::Step step : program.steps) {
+    step.first += first;
+    stream.steps.push_back(step);
+  }
+}
+
+}  // namespace pfman
