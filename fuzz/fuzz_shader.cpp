@@ -1,10 +1,12 @@
-// Shader texts of any bytes become trees of bounded height, or messages that name places.
+// Shader texts of any bytes become trees of bounded height and code within pixel memory, or messages that name places.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <string>
 
+#include "pixelflow/compiler/compile.h"
+#include "pixelflow/compiler/memory_layout.h"
 #include "pixelflow/language/parser.h"
 
 namespace {
@@ -28,13 +30,17 @@ void check(const pfman::ast::Statement& node) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);
   pfman::Diagnostics diagnostics;
-  const pfman::ast::Unit unit = pfman::parse_text(text, "fuzz.pfman", {}, diagnostics);
+  const auto compiled = pfman::compile_text(text, "fuzz.pfman", {}, diagnostics);
   for (const auto& diagnostic : diagnostics.all()) {
     if (diagnostic.where.file >= diagnostics.files().size() || diagnostic.text.empty()) std::abort();
   }
-  for (const auto& definition : unit.definitions) {
+  for (const auto& definition : compiled->syntax.definitions) {
     if (definition.body) check(*definition.body);
   }
-  if (pfman::dump(unit).empty() && !unit.definitions.empty()) std::abort();
+  if (pfman::dump(compiled->syntax).empty() && !compiled->syntax.definitions.empty()) std::abort();
+  if (diagnostics.has_errors()) return 0;
+  for (const auto& shader : compiled->shaders) {
+    if (shader.map.peak_bytes > pfman::kSharedAt) std::abort();
+  }
   return 0;
 }

@@ -71,6 +71,20 @@ TEST(compile, every_case_shows_its_code) {
   }
 }
 
+TEST(compile, examples_of_the_manual_compile) {
+  const std::string manual = read(PFMAN_MANUAL);
+  const std::string fence = "\n```pfman\n";
+  int examples = 0;
+  for (std::size_t at = manual.find(fence); at != std::string::npos; at = manual.find(fence, at)) {
+    at += fence.size();
+    pfman::Diagnostics diagnostics;
+    pfman::compile_text(manual.substr(at, manual.find("\n```", at) - at), "example", {}, diagnostics);
+    EXPECT_EQ(diagnostics.text(), "");
+    ++examples;
+  }
+  EXPECT_GT(examples, 0);
+}
+
 TEST(compile, every_code_of_the_manual_has_a_case) {
   std::set<std::string> shown;
   for (const std::string& name : cases()) shown.insert(name.substr(0, name.find('_')));
