@@ -35,12 +35,14 @@ bool has_effect(const Node& node) {
 
 class Marking {
  public:
-  explicit Marking(ir::Code& code) : code_(code), needed_(code.code.size(), false), writers_(code.variables.size()) {
+  explicit Marking(ir::Code& code)
+      : code_(code), needed_(code.code.size(), false), branch_(code.code.size(), -1), writers_(code.variables.size()) {
     for (const NodePtr& node : code.uniforms) effects_.push_back(node && has_effect(*node));
   }
 
   std::vector<bool> needed() {
     const int size = static_cast<int>(code_.code.size());
+    find_branches();
     for (int i = 0; i < size; ++i) {
       ir::each_operand(code_, code_.code[i], [&](const Operand& o, Access access) {
         if (access != Access::Read) writers_[o.variable].push_back(i);
@@ -70,6 +72,9 @@ class Marking {
       case Kind::Xor:
       case Kind::Select:
       case Kind::Lookup: break;
+      case Kind::IfMasked:
+      case Kind::ElseMasked:
+      case Kind::EndIfMasked: return false;
       default: return true;
     }
     if (!instruction.d && !leaves_condition(i)) return true;
@@ -94,6 +99,21 @@ class Marking {
     open_.push_back(i);
     // A choice by K stands behind the comparison that makes it.
     if (i > 0 && leaves_condition(i - 1)) need(i - 1);
+    // What is needed within a masked branch needs the branch.
+    if (branch_[i] >= 0) need(branch_[i]);
+    if (is_branch(code_.code[i].kind)) need(code_.code[i].match);
+  }
+
+  static bool is_branch(Kind kind) { return kind == Kind::IfMasked || kind == Kind::ElseMasked; }
+
+  void find_branches() {
+    std::vector<int> open;
+    for (int i = 0; i < static_cast<int>(code_.code.size()); ++i) {
+      const Kind kind = code_.code[i].kind;
+      if (!open.empty()) branch_[i] = open.back();
+      if (kind == Kind::IfMasked) open.push_back(i);
+      if (kind == Kind::EndIfMasked) open.pop_back();
+    }
   }
 
   void need_variable(int v) {
@@ -102,6 +122,7 @@ class Marking {
 
   ir::Code& code_;
   std::vector<bool> needed_;
+  std::vector<int> branch_;  ///< the masked branch around an instruction; its IfMasked
   std::vector<std::vector<int>> writers_;
   std::vector<bool> effects_;  ///< by uniform expression
   std::vector<int> open_;

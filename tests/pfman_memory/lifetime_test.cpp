@@ -254,6 +254,23 @@ TEST(Unused, DropsWhatNobodyReads) {
   EXPECT_EQ(b.code.variables.size(), 2u);
 }
 
+TEST(Unused, MaskedBranchesWithNothingInThem) {
+  CodeBuilder b("empty");
+  const int p = b.parameter("p", 1), x = b.variable("x", 1), c = b.variable("c", 1);
+  const int outer = b.begin_if(Kind::IfMasked, b.use(p));
+  b.operate(Code::Less, {}, b.use(p), b.literal(4, 1));
+  const int inner = b.begin_if(Kind::IfMasked);
+  b.put(x, 1);
+  const int middle = b.begin_else(inner);
+  b.put(x, 2);
+  b.end_if(middle);
+  b.end_if(outer);
+  b.put(c, 2);
+  b.code.color = {c};
+  pfman::drop_unused(b.code);
+  EXPECT_EQ(b.size(), 1);
+}
+
 TEST(Unused, ComparisonWhoseBitIsNotRead) {
   CodeBuilder b("bit");
   const int p = b.parameter("p", 1), bit = b.variable("bit", 1), c = b.variable("c", 1);
@@ -312,6 +329,21 @@ TEST(Copies, NotIntoTwoPlaces) {
   b.copy(other, one);
   pfman::join_copies(b.code);
   EXPECT_EQ(b.size(), 2);
+}
+
+/// Lights and other shaders read the position again.
+TEST(Copies, PositionIsNeverWritten) {
+  for (const bool changes : {false, true}) {
+    CodeBuilder b("position");
+    const int position = b.at_address("px_shader_position", 4, pfman::kPositionAt), x = b.variable("x", 4),
+              c = b.variable("c", 4);
+    b.copy(x, position);
+    if (changes) b.operate(Code::Add, b.use(x), b.use(x), b.literal(1, 1));
+    b.operate(Code::Add, b.use(c), b.use(x), b.literal(1, 1));
+    b.code.color = {c};
+    pfman::join_copies(b.code);
+    EXPECT_EQ(b.size(), changes ? 3 : 1);
+  }
 }
 
 TEST(Copies, ColourStaysOutOfTheSharedArea) {
