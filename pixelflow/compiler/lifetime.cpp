@@ -132,7 +132,7 @@ class Analysis {
     while (changed) {
       changed = false;
       for (int i = 0; i <= size_; ++i) {
-        sum = BitMatrix(1, variables_);
+        for (int w = 0; w < sum.words(); ++w) sum.row(0)[w] = 0;
         for (const int from : previous_[i]) {
           clear();
           if (from < 0) {

@@ -40,6 +40,10 @@ bool is_pixel(const Operand& o) { return o.kind == Operand::Kind::Pixel; }
 
 Placement::Placement(const ir::Code& code, const Lifetimes& lifetimes)
     : code_(code), lifetimes_(lifetimes), partners_(code.variables.size()) {
+  for (const ir::Variable& variable : code.variables) {
+    size_.push_back(variable.bytes());
+    own_.push_back(!variable.address || *variable.address < kSharedAt);
+  }
   // No operation needs less than with operands apart.
   std::vector<int> apart(code.variables.size());
   for (std::size_t v = 0; v < apart.size(); ++v) apart[v] = static_cast<int>(v) * kFarApart;
@@ -70,11 +74,6 @@ Placement::Placement(const ir::Code& code, const Lifetimes& lifetimes)
     if (lifetimes.retained(v) && is_own(v)) least_retained_ += size(v);
   }
   add_partners();
-}
-
-bool Placement::is_own(int variable) const {
-  const ir::Variable& v = code_.variables[variable];
-  return !v.address || *v.address < kSharedAt;
 }
 
 void Placement::add_partners() {
@@ -113,8 +112,8 @@ bool Placement::fits_partners(int variable, int at, const std::vector<int>& addr
   return true;
 }
 
-int Placement::find_place(int variable, const std::vector<int>& address) const {
-  std::vector<Range> ranges;
+int Placement::find_place(int variable, const std::vector<int>& address, std::vector<Range>& ranges) const {
+  ranges.clear();
   lifetimes_.interference().each(variable, [&](int v) {
     if (address[v] != Layout::kNowhere && is_own(v)) ranges.push_back(range(v, address));
   });
@@ -157,7 +156,8 @@ Layout Placement::start() const {
 
 Layout Placement::first_fit(const std::vector<int>& order) const {
   Layout layout = start();
-  for (const int v : order) layout.address[v] = turn_back(find_place(v, layout.address), size(v));
+  std::vector<Range> scratch;
+  for (const int v : order) layout.address[v] = turn_back(find_place(v, layout.address, scratch), size(v));
   place_workspaces(layout);
   return layout;
 }

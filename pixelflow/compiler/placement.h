@@ -54,20 +54,22 @@ class Placement {
     int first = 0, end = 0;  ///< from the shader's first byte on, in its direction
   };
 
-  int size(int variable) const { return code_.variables[variable].bytes(); }
-  bool is_own(int variable) const;
+  int size(int variable) const { return size_[variable]; }
+  bool is_own(int variable) const { return own_[variable]; }
   /// From an address to a place in the shader's direction, and back.
   int turn(int place, int bytes) const;
   int turn_back(int at, int bytes) const;
   Range range(int variable, const std::vector<int>& address) const;
   bool fits_partners(int variable, int at, const std::vector<int>& address) const;
-  int find_place(int variable, const std::vector<int>& address) const;
+  int find_place(int variable, const std::vector<int>& address, std::vector<Range>& ranges) const;
   void add_partners();
   Layout start() const;
   void place_workspaces(Layout& layout) const;
 
   const ir::Code& code_;
   const Lifetimes& lifetimes_;
+  std::vector<int> size_;                       ///< by variable: bytes
+  std::vector<char> own_;                       ///< by variable: not in the shared area
   std::vector<std::vector<Partner>> partners_;  ///< by variable
   std::vector<std::vector<int>> occupied_;      ///< by instruction: alive before or after, or its operands
   int least_extent_ = 0, least_retained_ = 0, least_at_ = 0, least_workspace_ = 0;
