@@ -141,6 +141,11 @@ Term Lowering::aligned(const Term& value, int exponent, int bits) {
   return places >= 0 ? shifted_left(value, places, bits) : shifted_right(value, -places, bits);
 }
 
+/// With all the bits behind the point that it should have: a product by a power of two moves the point, not the bits.
+Term Lowering::at_least(const Term& value, int exponent) {
+  return value.type.exponent < exponent ? aligned(value, exponent, kMostBits) : value;
+}
+
 /// In a number of so many bytes, for operations byte by byte.
 Term Lowering::extended(const Term& value, int bytes) {
   Term result = value;
@@ -235,6 +240,7 @@ Term Lowering::fixed_bitwise(Op op, const Term& a, const Term& b, const Scalar& 
 
 /// Of an unsigned number only its own bits change.
 Term Lowering::fixed_complement(const Term& value, const Scalar& type) {
+  if (value.type.exponent < type.exponent) return fixed_complement(at_least(value, type.exponent), type);
   const Scalar held = at_exponent(type, value.type.exponent);
   const Term known = extended(needed(value, held.size), held.bytes());
   const std::uint64_t bits = ~std::uint64_t{0} >> (kMostBits - held.size);

@@ -23,7 +23,7 @@ Term Lowering::fixed_shift(const Node& node, const Term& value) {
     moved.type.exponent += left ? -count : count;
     return finished(moved, type);
   }
-  Term known = wrapped(value);
+  Term known = wrapped(at_least(value, type.exponent));
   const Scalar held = Scalar::fixed(known.type.is_signed, type.size, known.type.exponent);
   // The factor's evaluation is what refuses counts that are not between 0 and 64.
   const Scalar wide = Scalar::fixed(false, kMostBits, 0);
@@ -96,7 +96,7 @@ Term Lowering::fixed_round(Op op, const Term& value, const Scalar& type) {
 /// The root has as many bits behind the point as its operand: floor(sqrt(raw 2^exponent)).
 Term Lowering::fixed_square_root(const Term& value, const Scalar& type) {
   constexpr int kMostExponent = 64;
-  Term known = wrapped(value);
+  Term known = wrapped(at_least(value, type.exponent));
   const int exponent = known.type.exponent;
   if (exponent > kMostExponent) {
     error("square root of a number with " + std::to_string(exponent) + " bits behind the point; " +

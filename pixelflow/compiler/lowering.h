@@ -138,6 +138,7 @@ class Lowering {
   Term shifted_left(const Term& value, int places, int bits);
   Term shifted_right(const Term& value, int places, int bits);
   Term aligned(const Term& value, int exponent, int bits);
+  Term at_least(const Term& value, int exponent);
   Term extended(const Term& value, int bytes);
   Term fixed_convert(const Term& value, const Scalar& to);
   Term fixed_saturate(const Term& value, const Scalar& to);
