@@ -71,9 +71,6 @@ NodePtr root(NodePtr node, const Number& target, bool saturate) {
   if (!node->number.floating) {
     if (target.floating || target.is_bool()) {
       limit(*node, kEverything);
-      if (target.floating && !node->uniform && (node->number.exponent < -64 || node->number.exponent > 128)) {
-        fail(210, node->where, "exponent of " + spelling(node->number) + " is too far off for a float");
-      }
     } else {
       limit(*node, {saturate ? kAll : target.size - target.exponent, target.exponent, false});
     }
