@@ -91,11 +91,12 @@ std::string place_text(Location where, const Diagnostics& files, const LineText&
 /// visit(name, stream) for each stream of a shader.
 template <typename Visit>
 void each_stage(const Streams& streams, Visit&& visit) {
-  visit(std::string("pre-illum"), streams.pre);
+  const bool single = streams.illum.empty() && streams.post.parts.empty();
+  visit(std::string(single ? "all" : "pre-illum"), streams.pre);
   for (std::size_t n = 0; n < streams.illum.size(); ++n) {
     visit(streams.illum.size() > 1 ? "illum, light " + std::to_string(n + 1) : std::string("illum"), streams.illum[n]);
   }
-  if (!streams.illum.empty() || !streams.post.parts.empty()) visit(std::string("post-illum"), streams.post);
+  if (!single) visit(std::string("post-illum"), streams.post);
 }
 
 std::string lookup_text(const Lookup& lookup) {
