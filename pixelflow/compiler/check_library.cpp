@@ -33,6 +33,8 @@ struct Entry {
 };
 
 constexpr std::size_t kMany = 256;
+/// Functions are written out for each element of an array; pixel memory holds no more.
+constexpr int kMostElements = 256;
 constexpr std::array kEntries = {
     Entry{"sin", Family::Floats, 1, 1, Code::Sin},
     Entry{"cos", Family::Floats, 1, 1, Code::Cos},
@@ -116,6 +118,12 @@ bool Checker::arguments_fit(const std::string& name, const Values& arguments, Lo
     if (!type.is_array()) continue;
     if (!takes_arrays(name)) {
       error(132, argument.where, "'" + name + "' takes numbers, not '" + argument.spelled() + "'");
+      return false;
+    }
+    if (type.count() > kMostElements) {
+      error(132, argument.where,
+            "'" + name + "' takes arrays of up to " + std::to_string(kMostElements) + " elements, not " +
+                std::to_string(type.count()));
       return false;
     }
     if (array != nullptr && !array->same_shape(type)) {
