@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -156,7 +157,7 @@ bool shown(const Rows& rows, const std::string& shader) {
   return std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return row.second == shader; });
 }
 
-std::size_t width_of(const std::string& name) { return std::max<std::size_t>(name.size(), 6); }
+std::size_t width_of(const std::string& name) { return std::max<std::size_t>(name.size(), 8); }
 
 }  // namespace
 
@@ -236,25 +237,27 @@ std::string shader_table_text(const Table& table) {
     if (std::find(list.begin(), list.end(), word) == list.end()) list.push_back(word);
   };
   for (const Cell& cell : table.cells) {
-    if (cell.published) {
-      compared.cells.push_back(cell);
-      continue;
-    }
+    if (cell.published) compared.cells.push_back(cell);
     const std::string& shader = cell.note.empty() ? cell.name : cell.note;
     add(names, shader);
     add(columns, cell.column);
     others[{shader, cell.column}] = number_text(cell.measured);
   }
-  std::string text = table_text(compared) + fmt::format("\n{:26}", "");
-  for (const std::string& name : names) text += fmt::format(" {:>{}}", name, width_of(name));
-  text += "\n";
-  for (const std::string& column : columns) {
-    text += fmt::format("{:26}", column);
-    for (const std::string& name : names) {
-      const auto found = others.find({name, column});
-      text += fmt::format(" {:>{}}", found == others.end() ? "" : found->second, width_of(name));
-    }
+  std::string text = table_text(compared);
+  constexpr std::size_t kTogether = 6;  // shaders side by side
+  for (std::size_t first = 0; first < names.size(); first += kTogether) {
+    const std::span<const std::string> some(names.data() + first, std::min(kTogether, names.size() - first));
+    text += fmt::format("\n{:28}", "");
+    for (const std::string& name : some) text += fmt::format(" {:>{}}", name, width_of(name));
     text += "\n";
+    for (const std::string& column : columns) {
+      text += fmt::format("{:28}", column);
+      for (const std::string& name : some) {
+        const auto found = others.find({name, column});
+        text += fmt::format(" {:>{}}", found == others.end() ? "-" : found->second, width_of(name));
+      }
+      text += "\n";
+    }
   }
   return text;
 }

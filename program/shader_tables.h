@@ -20,7 +20,7 @@ Table pixelflow1(pixelflow::PixelArray& array, const std::filesystem::path& data
 /// The share that allocation saves stands in a fourth column, for the paper computed from its figures.
 Table pixelflow4(const std::filesystem::path& data);
 
-/// For people: published cells one a line, all others as a column a shader.
+/// For people: published cells one a line, then everything measured, a column for each of our shaders.
 std::string shader_table_text(const Table& table);
 
 }  // namespace program

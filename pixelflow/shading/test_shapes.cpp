@@ -45,7 +45,7 @@ std::optional<ShapePoint> hit_sphere(const Vector& origin, const Vector& directi
 /// The parameter where `below` becomes true between t0, where it is false, and t1.
 template <typename Below>
 double bisect(double t0, double t1, const Below& below) {
-  for (int step = 0; step < 48; ++step) {
+  for (int step = 0; step < 28; ++step) {
     const double middle = (t0 + t1) / 2;
     (below(middle) ? t1 : t0) = middle;
   }
