@@ -1,19 +1,11 @@
 // Expressions that vary: arrays taken apart, assignments, choices, conditions.
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 
 #include "pixelflow/compiler/lowering.h"
 
 namespace pfman {
-namespace {
-
-bool is_comparison(Node::Op op) {
-  using Op = Node::Op;
-  return op == Op::Less || op == Op::LessEqual || op == Op::Equal || op == Op::NotEqual;
-}
-
-}  // namespace
-
 Terms Lowering::lower_node(const Node& node) {
   const Location before = where_;
   where_ = node.where;
@@ -69,7 +61,10 @@ Terms Lowering::lower_varying(const Node& node) {
 }
 
 Terms Lowering::lower_elementwise(const Node& node) {
-  const Terms a = lower_node(*node.operands[0]);
+  // A conversion that drops bits of a sum; saturation sees all of the sum's upper bits, which the floor leaves alone.
+  const bool to_fixed = (node.op == Op::Convert && node.exact != Scalar::boolean()) || node.op == Op::Saturate;
+  const bool floors = to_fixed && options_.fuse && !node.type.scalar.is_float;
+  const Terms a = floors ? lower_floored(*node.operands[0], node.exact.exponent) : lower_node(*node.operands[0]);
   const bool shifts = node.op == Op::ShiftLeft || node.op == Op::ShiftRight;
   Terms result;
   if (shifts) {
@@ -152,11 +147,6 @@ Term Lowering::convert(const Term& value, const Scalar& to, bool saturate) {
   return saturate ? fixed_saturate(value, to) : fixed_convert(value, to);
 }
 
-Term Lowering::logical_not(const Term& value) {
-  const Scalar boolean = Scalar::boolean();
-  return {join(Kind::Xor, boolean, wrapped(value).at, constant(1, boolean)), boolean};
-}
-
 /// Both ways are computed; a uniform condition chooses on the host.
 Terms Lowering::lower_select(const Node& node) {
   const Node& test = *node.operands[0];
@@ -175,16 +165,12 @@ Terms Lowering::lower_select(const Node& node) {
   }
 
   // A comparison comes last, so that its result need not leave K; its operands come first, as in the text.
-  const bool compares = options_.fuse && is_comparison(test.op) && test.op != Op::NotEqual &&
-                        !test.operands[0]->type.is_array() && node.type.count() == 1;
-  Term p, q;
+  const std::optional<Comparison> comparison = options_.fuse ? comparison_of(test) : std::nullopt;
+  const bool in_flag = comparison && node.type.count() == 1;
+  const bool swapped = comparison && comparison->negated;
   ir::Operand chosen;
-  if (compares) {
-    p = lower_scalar(*test.operands[0]);
-    q = lower_scalar(*test.operands[1]);
-  } else {
-    chosen = pixel(wrapped(lower_scalar(test)).at);
-  }
+  if (!comparison) chosen = pixel(wrapped(lower_scalar(test)).at);
+  if (comparison && !in_flag) chosen = compare_values(comparison->op, comparison->a, comparison->b, true);
   Terms a = lower_node(*node.operands[1]), b = lower_node(*node.operands[2]);
   Terms result;
   for (std::size_t n = 0; n < static_cast<std::size_t>(node.type.count()); ++n) {
@@ -205,58 +191,11 @@ Terms Lowering::lower_select(const Node& node) {
       x = prepared(x);
       y = prepared(y);
     }
-    if (compares) chosen = compare_values(test.op, p, q, false);
-    Term value{select(chosen, held, x.at, y.at), held, exact};
+    if (in_flag) chosen = compare_values(comparison->op, comparison->a, comparison->b, false);
+    Term value{select(chosen, held, swapped ? y.at : x.at, swapped ? x.at : y.at), held, exact};
     result.push_back(exact ? value : with_type(value, held));
   }
   return result;
-}
-
-ir::Operand Lowering::condition(const Node& node) {
-  if (options_.fuse && is_comparison(node.op) && node.op != Op::NotEqual && !node.operands[0]->type.is_array() &&
-      !node.operands[1]->type.is_array()) {
-    const Term a = lower_scalar(*node.operands[0]), b = lower_scalar(*node.operands[1]);
-    return compare_values(node.op, a, b, false);
-  }
-  return pixel(wrapped(lower_scalar(node)).at);
-}
-
-ir::Operand Lowering::compare(const Node& node) {
-  const Terms a = lower_node(*node.operands[0]), b = lower_node(*node.operands[1]);
-  const Scalar boolean = Scalar::boolean();
-  const bool equality = node.op == Op::Equal || node.op == Op::NotEqual;
-  const Op op = equality ? Op::Equal : node.op;
-  ir::Operand all;
-  for (std::size_t n = 0; n < std::max(a.size(), b.size()); ++n) {
-    const ir::Operand one = compare_values(op, a[a.size() > 1 ? n : 0], b[b.size() > 1 ? n : 0], true);
-    all = n == 0 ? one : join(Kind::And, boolean, all, one);
-  }
-  return node.op == Op::NotEqual ? logical_not({all, boolean}).at : all;
-}
-
-/// To a byte of 0 or 1, or to K alone.
-ir::Operand Lowering::compare_values(Op op, const Term& a, const Term& b, bool to_byte) {
-  const bool keep = to_byte || !options_.fuse;
-  Code code = op == Op::Less ? Code::Less : op == Op::LessEqual ? Code::LessEqual : Code::Equal;
-  Term p = a, q = b;
-  if (a.type.is_float) {
-    code = op == Op::Less ? Code::FloatLess : op == Op::LessEqual ? Code::FloatLessEqual : Code::FloatEqual;
-  } else {
-    constexpr int kMostBits = 64;
-    const int exponent = std::max(a.type.exponent, b.type.exponent);
-    for (Term* const value : {&p, &q}) {
-      const int size = value->type.size + exponent - value->type.exponent;
-      if (size > kMostBits) {
-        error("comparison needs " + std::to_string(size) + " bits; " + std::to_string(kMostBits) + " are possible");
-        return keep ? temporary(Scalar::boolean()) : ir::Operand{};
-      }
-      *value = aligned(wrapped(*value), exponent, kMostBits);
-    }
-  }
-  ir::Operand d;
-  if (keep) d = temporary(Scalar::boolean());
-  operate_into(d, code, p.at, q.at);
-  return d;
 }
 
 Terms Lowering::lower_assign(const Node& node) {

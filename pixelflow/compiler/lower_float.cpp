@@ -1,10 +1,14 @@
 // Floats: conversions, signs, rounding to integers, remainders. The one NaN is 0x7FC00000 and stays it.
+#include <algorithm>
+
 #include "pixelflow/compiler/lowering.h"
 
 namespace pfman {
 namespace {
 
 constexpr int kLeastScale = -64, kMostScale = 128;  ///< of conversions
+constexpr int kBias = 127, kFractionBits = 23;
+constexpr int kNormalPower = -126, kLeastPower = 149;  ///< 2^-126 is the least normal float, 2^-149 the least of all
 constexpr std::uint64_t kSign = 0x80000000, kHalf = 0x3F000000;
 constexpr std::uint64_t kTopOfNan = 0x7FC0;         ///< upper two bytes of NaN, and of no other number
 constexpr std::uint64_t kTopOfWholeNumbers = 0x4B;  ///< top byte of 2^23, from which on all floats are whole numbers
@@ -13,15 +17,28 @@ constexpr std::uint64_t kTopOfWholeNumbers = 0x4B;  ///< top byte of 2^23, from 
 
 Term Lowering::to_float(const Term& value) {
   if (value.type.is_float) return value;
-  const Term known = wrapped(value);
   const Scalar type = Scalar::floating();
-  if (known.type.exponent < kLeastScale || known.type.exponent > kMostScale) {
-    error("a fixed-point number with " + std::to_string(known.type.exponent) +
-          " bits behind the point cannot become a float; " + std::to_string(kLeastScale) + " to " +
-          std::to_string(kMostScale) + " are possible");
-    return {temporary(type), type};
+  Term known = wrapped(value);
+  const int exponent = known.type.exponent, scale = std::clamp(exponent, kLeastScale, kMostScale);
+  if (exponent == scale) return {operate(Code::FixedToFloat, type, known.at, {}, scale), type};
+  const auto times = [&](int power, int by) {
+    const auto factor = static_cast<std::uint64_t>(kBias + power) << kFractionBits;
+    return float_binary(Code::FloatMultiply, {operate(Code::FixedToFloat, type, known.at, {}, by), type},
+                        {constant(factor, type), type});
+  };
+  if (exponent < scale) return times(std::min(scale - exponent, kBias), scale);
+  // Subnormal results are rounded by the multiplication, after the conversion has rounded: that does no harm as long as
+  // the number has two bits more than they keep, the last of which tells whether there is anything below.
+  known.type.exponent = 0;
+  const int dropped = std::max(exponent - kLeastPower - 2, 0);
+  if (dropped > 0) {
+    const Scalar rest = Scalar::fixed(false, std::min(dropped, 64), 0);
+    const Term any = nonzero({operate(Code::Wrap, rest, known.at, {}, rest.size), rest});
+    Term kept = shifted_right(known, dropped, 64);
+    kept.type.exponent = 0;
+    known = fixed_bitwise(Op::BitOr, kept, any, Scalar::fixed(known.type.is_signed, 64, 0));
   }
-  return {operate(Code::FixedToFloat, type, known.at, {}, known.type.exponent), type};
+  return times(kNormalPower, exponent - dropped + kNormalPower);
 }
 
 Term Lowering::to_fixed(const Term& value, const Scalar& to) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -36,6 +37,12 @@ class Lowering {
     std::vector<int> variables;  ///< varying: one for each scalar, or a single one with a count
     Terms values;                ///< a parameter that its function does not write, given these
     Variable* uniform = nullptr;
+  };
+  /// Less, LessEqual or Equal of scalars, or the opposite.
+  struct Comparison {
+    Op op = Op::Equal;
+    Term a, b;
+    bool negated = false;
   };
   struct LoopContext {
     int start = 0;  ///< its Loop instruction
@@ -98,12 +105,21 @@ class Lowering {
   Terms lower_assign(const Node& node);
   void store(const Node& target, const Terms& values);
   void store(const Term& target, const Term& value);
+  Term convert(const Term& value, const Scalar& to, bool saturate);
+
+  // lower_condition.cpp
   /// A bool as a byte, or none where the instruction just appended has left it in K.
   ir::Operand condition(const Node& node);
+  std::optional<Comparison> comparison_of(const Node& node);
   ir::Operand compare(const Node& node);
   ir::Operand compare_values(Op op, const Term& a, const Term& b, bool to_byte);
+  Term sign_of(const Term& value);
   Term logical_not(const Term& value);
-  Term convert(const Term& value, const Scalar& to, bool saturate);
+  bool is_zero(const Term& value) const;
+
+  // lower_sum.cpp
+  Terms lower_floored(const Node& node, int exponent);
+  bool has_coarse_summand(const Node& node, int exponent) const;
 
   // lower_uniform.cpp
   Terms uniform_values(const Node& node);

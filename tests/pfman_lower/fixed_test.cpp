@@ -106,6 +106,7 @@ TEST(LowerFixed, conversions) {
     Random random(seed + static_cast<std::uint64_t>(n));
     const auto type = [&] { return declared(random_fixed(random)); };
     const std::string to = type();
+    if (to == "fixed<1,0>") continue;  // bool: a float does not convert to it
     const std::vector<std::string> all{to + "(a)",       "sat " + to + "(a)", "sat " + to + "(a + b)",
                                        to + "(f)",       "sat " + to + "(f)", to + "(a * b) + b",
                                        "bool(a)",        "bool(a + b)",       "sat " + to + "(a) - " + to + "(b)",
