@@ -136,8 +136,7 @@ TEST_F(Allocate, WithoutSharing) {
   EXPECT_EQ(m.first_free, 9);
 }
 
-void write_nothing(pixelflow::Program&, const std::vector<pfman::ExternalArgument>&,
-                   const pfman::PixelWorkspace&) {}
+void write_nothing(pixelflow::Program&, const std::vector<pfman::ExternalArgument>&, const pfman::PixelWorkspace&) {}
 
 TEST_F(Allocate, ExternalFunctionHasItsWorkspaceAndItsResultsApart) {
   constexpr int kWorkspace = 9;
