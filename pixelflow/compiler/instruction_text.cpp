@@ -109,4 +109,22 @@ std::string instruction_text(const Instruction& instruction) {
   }
 }
 
+bool takes_scale(pixelflow::Code code) {
+  using pixelflow::Code;
+  switch (code) {
+    case Code::Multiply:
+    case Code::Divide:
+    case Code::ShiftLeft:
+    case Code::ShiftRight:
+    case Code::SquareRoot:
+    case Code::Wrap:
+    case Code::Saturate:
+    case Code::FixedToFloat:
+    case Code::FloatToFixed:
+    case Code::NoiseFixed:
+    case Code::NoiseFloat: return true;
+    default: return false;
+  }
+}
+
 }  // namespace pfman

@@ -3,6 +3,7 @@
 #include <set>
 #include <string>
 
+#include "pixelflow/compiler/instruction_text.h"
 #include "pixelflow/compiler/ir_access.h"
 #include "pixelflow/compiler/uniform_text.h"
 #include "pixelflow/microcode/library.h"
@@ -31,23 +32,6 @@ const char* infix(Code code) {
     case Code::Equal:
     case Code::FloatEqual: return " == ";
     default: return nullptr;
-  }
-}
-
-bool takes_scale(Code code) {
-  switch (code) {
-    case Code::Multiply:
-    case Code::Divide:
-    case Code::ShiftLeft:
-    case Code::ShiftRight:
-    case Code::SquareRoot:
-    case Code::Wrap:
-    case Code::Saturate:
-    case Code::FixedToFloat:
-    case Code::FloatToFixed:
-    case Code::NoiseFixed:
-    case Code::NoiseFloat: return true;
-    default: return false;
   }
 }
 

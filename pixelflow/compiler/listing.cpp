@@ -45,21 +45,6 @@ std::string operand_text(const Operand& operand, bool is_float, int count = 1) {
   return text;
 }
 
-bool has_scale(Code code) {
-  switch (code) {
-    case Code::Multiply:
-    case Code::Divide:
-    case Code::ShiftLeft:
-    case Code::ShiftRight:
-    case Code::SquareRoot:
-    case Code::Wrap:
-    case Code::Saturate:
-    case Code::FixedToFloat:
-    case Code::FloatToFixed: return true;
-    default: return false;
-  }
-}
-
 std::string operation_text(const pixelflow::Step& step) {
   const Operation& o = *step.operation;
   const bool noise = o.code == Code::NoiseFixed || o.code == Code::NoiseFloat;
@@ -67,7 +52,7 @@ std::string operation_text(const pixelflow::Step& step) {
   std::string text = pixelflow::is_comparison(o.code) ? "K" : operand_text(o.d, pixelflow::gives_float(o.code));
   text += std::string(" := ") + pixelflow::name(o.code) + " " + operand_text(o.a, floats, noise ? o.scale : 1);
   if (pixelflow::operand_count(o.code) > 1) text += ", " + operand_text(o.b, floats);
-  if (has_scale(o.code) && o.scale != 0) text += ", scale " + std::to_string(o.scale);
+  if (takes_scale(o.code) && !noise && o.scale != 0) text += ", scale " + std::to_string(o.scale);
   if (step.workspace_bytes > 0) text += "    work " + bytes_text(o.work, step.workspace_bytes);
   return text;
 }
