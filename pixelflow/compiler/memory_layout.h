@@ -24,4 +24,9 @@ constexpr int kPositionAt = kMaskAt - 12;  ///< float[3], in eye space, rebuilt 
 constexpr int kSharedAt = kPositionAt;
 constexpr int kCommunicationBytes = pixelflow::kMemoryBytes - kSharedAt;
 
+/// Packets of the composition network that a pixel's parameters may fill at 30 frames per second of 1280 x 1024 pixels
+/// (section 6.2), and the bytes that each carries beside the depth of 4 bytes.
+constexpr int kMostPackets = 5;
+constexpr int kPacketPayload = pixelflow::kPacketBytes - 4;
+
 }  // namespace pfman

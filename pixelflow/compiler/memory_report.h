@@ -7,11 +7,6 @@
 
 namespace pfman {
 
-/// Packets of the composition network that a pixel's parameters may fill at 30 frames per second of 1280 x 1024 pixels
-/// (section 6.2), and what each carries beside the depth.
-constexpr int kMostPackets = 5;
-constexpr int kPacketPayload = 28;
-
 /// E502, and false, where shader ID and parameters exceed a transfer.
 bool check_transfer(const ir::Code& code, int parameter_bytes, Diagnostics& diagnostics);
 

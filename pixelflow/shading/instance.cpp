@@ -8,9 +8,6 @@
 namespace pfman {
 namespace {
 
-/// Bytes of a packet that hold parameters: the depth takes the first four (docs/pixel_processor.md).
-constexpr int kPayloadBytes = pixelflow::kPacketBytes - 4;
-
 /// Not given by the application but found on the shading node.
 bool is_rebuilt(const std::string& name) { return name == "px_shader_position" || name == "px_shader_view"; }
 bool is_standard(const std::string& name) { return name.starts_with("px_"); }
@@ -33,7 +30,7 @@ TransferMap transfer_map(const CompiledShader& shader) {
     map.entries.push_back({variable.name, variable.type, kShaderIdAt + map.bytes});
     map.bytes += variable.type.bytes();
   }
-  map.packets = (map.bytes + kPayloadBytes - 1) / kPayloadBytes;
+  map.packets = (map.bytes + kPacketPayload - 1) / kPacketPayload;
   return map;
 }
 
