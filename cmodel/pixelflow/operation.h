@@ -63,8 +63,7 @@ enum class Code : std::uint8_t {
   Atan2,
   FastAtan2,  ///< of a = y and b = x
   Pow,        ///< a to the power b
-  // Noise of a point of `scale` coordinates, one after another from a (section 10.1 of the language's noise: band
-  // limited, 0 to 1).
+  // Noise of a point of `scale` coordinates, one after another from a: band limited, 0 to 1 (docs/pfman_library.md).
   NoiseFixed,  ///< coordinates S(16,8); d is U(16,16)
   NoiseFloat,
   Count
