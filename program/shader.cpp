@@ -66,17 +66,21 @@ pfman::Instance instance_of(const pfman::CompiledShader& shader, int id, const s
   return instance;
 }
 
-pfman::Streams streams_of(const pfman::CompiledShader& shader, const ShaderOptions& options, const ShaderFile& file) {
-  const pfman::Instance instance = instance_of(shader, kFirstId, options.values);
-  const bool surface = shader.shader->kind == pfman::Shader::Kind::Surface;
+/// Of an instance of a shader of this file, to which mistakes in its uniform code belong.
+pfman::Streams streams_of(const pfman::Instance& instance, const ShaderFile& file) {
+  const bool surface = instance.shader().shader->kind == pfman::Shader::Kind::Surface;
   try {
-    return pfman::generate(shader, {.uniforms = instance.uniforms(),
-                                    .bound_varying = instance.bound(),
-                                    .shader_ids = surface ? std::vector{kFirstId} : std::vector<int>{},
-                                    .lights = 1});
+    return pfman::generate(instance.shader(), {.uniforms = instance.uniforms(),
+                                               .bound_varying = instance.bound(),
+                                               .shader_ids = surface ? std::vector{kFirstId} : std::vector<int>{},
+                                               .lights = 1});
   } catch (const pfman::UniformError& error) {
     refuse_uniform(error, file.diagnostics);
   }
+}
+
+pfman::Streams streams_of(const pfman::CompiledShader& shader, const ShaderOptions& options, const ShaderFile& file) {
+  return streams_of(instance_of(shader, kFirstId, options.values), file);
 }
 
 std::string counted(std::uint64_t number, const std::string& what) {
@@ -177,15 +181,16 @@ void add_light(Lights& lights, const std::string& words, const ShaderFile& own, 
   }
   if (parts.empty()) refuse("--light wants a light");
   const std::string place = parts[0];
+  const ShaderFile* holder = &own;
   const pfman::CompiledShader* shader = own.unit->find(place);
   if (!shader) {
     const std::size_t colon = place.find(".pfman:");
     const std::string path = colon == std::string::npos ? place : place.substr(0, colon + 6);
-    const ShaderFile& file = *lights.files.emplace_back(read_shader_file(path, options));
+    holder = lights.files.emplace_back(read_shader_file(path, options)).get();
     if (colon != std::string::npos) {
-      shader = &file.shader(place.substr(colon + 7));
+      shader = &holder->shader(place.substr(colon + 7));
     } else {
-      for (const pfman::CompiledShader& other : file.unit->shaders) {
+      for (const pfman::CompiledShader& other : holder->unit->shaders) {
         if (!shader && other.shader->kind == pfman::Shader::Kind::Light) shader = &other;
       }
     }
@@ -194,6 +199,8 @@ void add_light(Lights& lights, const std::string& words, const ShaderFile& own, 
   pfman::Instance& light =
       lights.instances.emplace_back(pfman::Instance(*shader, static_cast<int>(lights.instances.size()) + 1));
   for (std::size_t n = 1; n < parts.size(); ++n) set_value(light, parts[n]);
+  // While the picture is made, nobody knows any more which file a light is from.
+  streams_of(light, *holder);
 }
 
 const pfman::CompiledShader& surface_of(const ShaderFile& file, const ShaderOptions& options) {

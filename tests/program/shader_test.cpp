@@ -171,7 +171,12 @@ TEST_F(ShaderCommand, RefusesWhatItCannotShow) {
   EXPECT_EQ(shader({"-o", "x.png", "--shader", "lamp"}).err,
             "tiny.pfman: error: a picture needs a surface, and there is none\n");
   EXPECT_EQ(shader({"-o", "x.none"}).status, 1);
-  EXPECT_EQ(files(), std::vector<std::string>{"tiny.pfman"});
+  write("table.pfman",
+        "light table(uniform int n = 0) {\n    uniform float a[2] = { 0, 1 };\n"
+        "    px_light_color = { a[n], 0.0, 0.0 };\n}\n");
+  EXPECT_EQ(shader({"-o", "x.png", "--light", "table.pfman n=2"}).err,
+            "table.pfman:3:26: error: index 2 is outside of the array's 0 to 1\n");
+  EXPECT_EQ(files(), (std::vector<std::string>{"table.pfman", "tiny.pfman"}));
 }
 
 }  // namespace
