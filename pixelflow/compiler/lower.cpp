@@ -8,9 +8,14 @@ namespace {
 
 constexpr int kBitsOfMaskByte = 8;
 
+/// The position as it lies in the shared area; a shader that declares it in another type has a variable of its own too.
+bool is_position(const Variable& variable) {
+  return variable.role == Variable::Role::Parameter && variable.name == "px_shader_position";
+}
+
 /// Where a varying parameter or a light variable has to lie; nothing for those that the shader computes itself.
 std::optional<int> fixed_place(const Variable& variable) {
-  if (variable.name == "px_shader_position") return kPositionAt;
+  if (is_position(variable)) return kPositionAt;
   if (variable.role != Variable::Role::Light) return std::nullopt;
   if (variable.name == "px_light_direction") return kLightDirectionAt;
   if (variable.name == "px_light_color") return kLightColorAt;
@@ -115,7 +120,7 @@ Lowering::Binding& Lowering::binding(const Variable& variable) {
     if (place) added.address = *place + n * variable.type.scalar.bytes();
     made.variables.push_back(number);
   }
-  if (variable.name == "px_shader_position") code_.needs_position = true;
+  if (is_position(variable)) code_.needs_position = true;
   return bindings_[&variable] = std::move(made);
 }
 

@@ -71,8 +71,9 @@ struct Inputs {
 Inputs random_inputs(const reference::Interpreter& interpreter, Random& random) {
   Inputs inputs;
   inputs.input.lanes = kLanes;
+  inputs.input.position = random_values(random, reference::kFloat, 3 * kLanes);
   for (const reference::ParameterInfo& parameter : interpreter.parameters("s")) {
-    if (parameter.output) continue;
+    if (parameter.output || parameter.name.starts_with("px_")) continue;
     if (!parameter.uniform) {
       inputs.input.varying[parameter.name] = random_values(random, parameter.number, parameter.elements * kLanes);
     } else if (!parameter.name.starts_with("k_")) {  // those have their defaults
@@ -108,6 +109,7 @@ RawValues processors_result(const pfman::CompiledShader& shader, const Inputs& i
       address += bytes;
     }
   }
+  for (int n = 0; n < 3; ++n) put(*array, pfman::kPositionAt + 4 * n, 4, inputs.input.position.data() + n * kLanes);
   for (const pfman::Stream::Part& part : streams.pre.parts) array->run(part.program);
   RawValues result;
   for (const int color : shader.code.color) {

@@ -87,6 +87,17 @@ TEST(LowerArrays, elements) {
        "float p[3] = { f, g, 1 }; p = { p[2], p[0], p[1] }; r = p[0]; r2 = p[1] * k_m[k_i][k_j]; r3 = p[2];"});
 }
 
+TEST(LowerArrays, a_position_in_another_type) {
+  // It is a variable of its own; the position as it lies in memory is still what the view is made of.
+  const std::string parameters =
+      "varying signed fixed<20,8> px_shader_position[3], varying float px_shader_view[3], uniform int k_i = 2";
+  const std::vector<std::string> results{"px_shader_position[k_i]", "px_shader_view[k_i]", "px_shader_position[0]"};
+  EXPECT_TRUE(agrees(surface("float", parameters, results), pixelflow_tests::seed_or(1)));
+  EXPECT_TRUE(agrees(surface("float", "varying float px_shader_position[3], uniform int k_i = 2",
+                             {"px_shader_position[k_i]", "px_shader_position[1]", "length(px_shader_position)"}),
+                     pixelflow_tests::seed_or(2)));
+}
+
 TEST(LowerExpressions, assignments_as_values) {
   try_bodies("signed fixed<24,4>",
              {"r = r2 = a; r3 = (r2 = b) + 1;", "r = a; r2 = r++; r3 = r--; r += r2;",
