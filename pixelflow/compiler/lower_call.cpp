@@ -10,7 +10,6 @@ namespace pfman {
 namespace {
 
 constexpr int kMostCalls = 20000;
-constexpr int kTooLong = 503;
 
 bool has_outputs(const Function& function) {
   return std::any_of(function.parameters.begin(), function.parameters.end(),
@@ -21,10 +20,7 @@ bool has_outputs(const Function& function) {
 
 bool Lowering::may_call() {
   if (!too_long_ && ++calls_ > kMostCalls) {
-    too_long_ = true;
-    diagnostics_.add(kTooLong, shader_.where,
-                     "'" + shader_.name + "' is longer than " + std::to_string(kMostCalls) +
-                         " calls, one within the other, written in place");
+    too_long(std::to_string(kMostCalls) + " calls, one within the other, written in place");
   }
   return !too_long_;
 }

@@ -4,12 +4,6 @@
 #include "pixelflow/compiler/lowering.h"
 
 namespace pfman {
-namespace {
-
-constexpr int kMostBits = 64;
-
-}  // namespace
-
 bool Lowering::is_zero(const Term& value) const {
   if (value.at.kind != ir::Operand::Kind::Uniform || value.type.is_float) return false;
   const Node& tree = *code_.uniforms[static_cast<std::size_t>(value.at.uniform)];

@@ -4,13 +4,6 @@
 #include "pixelflow/compiler/lowering.h"
 
 namespace pfman {
-namespace {
-
-constexpr int kMostBits = 64;
-constexpr int kBitsOfByte = 8;
-
-}  // namespace
-
 Term Lowering::fixed_divide(const Term& a, const Term& b, const Scalar& type) {
   const Term x = wrapped(a), y = wrapped(b);
   const int places = type.exponent + y.type.exponent - x.type.exponent;

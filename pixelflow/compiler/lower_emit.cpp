@@ -20,12 +20,15 @@ int bytes_of(int bits) { return (bits + 7) / 8; }
 
 void Lowering::error(const std::string& text) { diagnostics_.add(kTooWide, where_, text); }
 
+void Lowering::too_long(const std::string& limit) {
+  if (too_long_) return;
+  too_long_ = true;
+  diagnostics_.add(kTooLong, shader_.where, "'" + shader_.name + "' is longer than " + limit);
+}
+
 int Lowering::append(ir::Instruction instruction) {
-  if (code_.code.size() >= kMostInstructions && !too_long_) {
-    too_long_ = true;
-    diagnostics_.add(kTooLong, shader_.where,
-                     "'" + shader_.name + "' is longer than " + std::to_string(kMostInstructions) +
-                         " operations once its calls are written in place");
+  if (code_.code.size() >= kMostInstructions) {
+    too_long(std::to_string(kMostInstructions) + " operations once its calls are written in place");
   }
   instruction.where = where_;
   code_.code.push_back(std::move(instruction));

@@ -8,9 +8,6 @@
 namespace pfman {
 namespace {
 
-constexpr int kMostBits = 64;
-constexpr int kBitsOfByte = 8;
-
 bool is_uniform_value(const Term& value) { return value.at.kind == ir::Operand::Kind::Uniform; }
 
 Scalar resized(const Scalar& type, int size) { return Scalar::fixed(type.is_signed, size, type.exponent); }

@@ -6,7 +6,6 @@
 namespace pfman {
 namespace {
 
-constexpr int kBitsOfByte = 8;
 constexpr std::uint64_t kHash[3] = {0x9E37, 0x79B9, 0x85EB};
 constexpr std::uint64_t kMix[2] = {0x6A35, 0xB4D3};
 constexpr int kMixShift[2] = {8, 7};

@@ -7,8 +7,6 @@
 namespace pfman {
 namespace {
 
-constexpr int kMostBits = 64;
-constexpr int kBitsOfByte = 8;
 constexpr int kMostScale = 8;
 
 }  // namespace

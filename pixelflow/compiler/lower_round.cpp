@@ -4,12 +4,6 @@
 #include "pixelflow/compiler/lowering.h"
 
 namespace pfman {
-namespace {
-
-constexpr int kMostBits = 64;
-
-}  // namespace
-
 /// A literal count moves the point and no bit. Any other is known when the stream is made.
 Term Lowering::fixed_shift(const Node& node, const Term& value) {
   const bool left = node.op == Op::ShiftLeft;

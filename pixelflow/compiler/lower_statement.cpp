@@ -38,11 +38,9 @@ void Lowering::lower_statement(const Statement& statement) {
   }
 }
 
-int Lowering::take_bits(int count) {
-  const int first = mask_bits_;
+void Lowering::take_bits(int count) {
   mask_bits_ += count;
   code_.mask_bits = std::max(code_.mask_bits, mask_bits_);
-  return first;
 }
 
 int Lowering::begin_if(NodePtr condition) {
@@ -86,16 +84,13 @@ void Lowering::lower_if(const Statement& statement) {
   masked.kind = Kind::IfMasked;
   masked.condition = condition(test);
   const int bits = has_else ? 2 : 1;
-  masked.mask = take_bits(bits);
-  const int mask = masked.mask;
-  const LoopContext before = loops_.empty() ? LoopContext{} : loops_.back();
+  take_bits(bits);
   int opening = append(std::move(masked));
   lower_statement(*statement.body[0]);
   where_ = where;
   if (has_else) {
     ir::Instruction middle;
     middle.kind = Kind::ElseMasked;
-    middle.mask = mask;
     const int between = append(std::move(middle));
     at(opening).match = between;
     opening = between;
@@ -104,13 +99,7 @@ void Lowering::lower_if(const Statement& statement) {
   }
   ir::Instruction closing;
   closing.kind = Kind::EndIfMasked;
-  closing.mask = mask;
   closing.match = opening;
-  // Only a jump within the construct can have disabled elements that were enabled before it.
-  if (!loops_.empty()) {
-    if (loops_.back().breaks > before.breaks) closing.alive.push_back(loops_.back().break_bit);
-    if (loops_.back().continues > before.continues) closing.alive.push_back(loops_.back().continue_bit);
-  }
   const int end = append(std::move(closing));
   at(opening).match = end;
   mask_bits_ -= bits;
@@ -126,7 +115,6 @@ void Lowering::end_loop(int loop) {
   ir::Instruction closing;
   closing.kind = Kind::EndLoop;
   closing.match = loop;
-  closing.mask = at(loop).mask;
   const int end = append(std::move(closing));
   at(loop).match = end;
 }
@@ -146,26 +134,17 @@ void Lowering::lower_loop(const Statement& statement) {
                        ? 1 + (statement.masked_breaks ? 1 : 0) + (statement.masked_continues ? 1 : 0)
                        : 0;
   const int loop = begin_loop();
-  LoopContext context;
-  context.start = loop;
-  if (bits > 0) {
-    int next = take_bits(bits);
-    at(loop).mask = next++;
-    at(loop).masked_breaks = statement.masked_breaks;
-    at(loop).masked_continues = statement.masked_continues;
-    if (statement.masked_breaks) context.break_bit = next++;
-    if (statement.masked_continues) context.continue_bit = next++;
-  }
-  loops_.push_back(context);
+  if (bits > 0) at(loop).mask = mask_bits_;
+  take_bits(bits);
+  at(loop).masked_breaks = statement.masked_breaks;
+  at(loop).masked_continues = statement.masked_continues;
+  loops_.push_back(loop);
   if (!statement.test_last) test_loop(statement, loop);
   lower_body(statement.body);
   where_ = statement.where;
   ir::Instruction next;
   next.kind = Kind::LoopNext;
   next.match = loop;
-  next.mask = at(loop).mask;
-  next.masked_breaks = statement.masked_breaks;
-  next.masked_continues = statement.masked_continues;
   append(std::move(next));
   if (statement.step) lower_statement(*statement.step);
   if (statement.test_last) test_loop(statement, loop);
@@ -176,20 +155,13 @@ void Lowering::lower_loop(const Statement& statement) {
 }
 
 void Lowering::lower_jump(const Statement& statement) {
-  LoopContext& loop = loops_.back();
   const bool is_break = statement.kind == Statement::Kind::Break;
   ir::Instruction jump;
-  jump.match = loop.start;
-  if (!statement.masked) {
-    jump.kind = is_break ? Kind::Break : Kind::Continue;
-  } else if (is_break) {
-    jump.kind = Kind::BreakMasked;
-    jump.mask = loop.break_bit;
-    ++loop.breaks;
+  jump.match = loops_.back();
+  if (statement.masked) {
+    jump.kind = is_break ? Kind::BreakMasked : Kind::ContinueMasked;
   } else {
-    jump.kind = Kind::ContinueMasked;
-    jump.mask = loop.continue_bit;
-    ++loop.continues;
+    jump.kind = is_break ? Kind::Break : Kind::Continue;
   }
   append(std::move(jump));
 }

@@ -13,6 +13,9 @@
 
 namespace pfman {
 
+constexpr int kMostBits = 64;  ///< of a number that is computed
+constexpr int kBitsOfByte = 8;
+
 /// A scalar while it is lowered: where its bytes are, and what they mean. Exact: the raw number there is a number of
 /// `type`. Otherwise only its low type.size bits are known to be the value's: whoever needs more has it wrapped().
 struct Term {
@@ -44,11 +47,6 @@ class Lowering {
     Term a, b;
     bool negated = false;
   };
-  struct LoopContext {
-    int start = 0;  ///< its Loop instruction
-    int break_bit = -1, continue_bit = -1;
-    int breaks = 0, continues = 0;  ///< masked ones met so far
-  };
 
   // lower.cpp
   void declare_parameters();
@@ -70,6 +68,7 @@ class Lowering {
   ir::Operand select(const ir::Operand& condition, const Scalar& type, const ir::Operand& a, const ir::Operand& b);
   ir::Operand constant(std::uint64_t raw, const Scalar& type);
   void error(const std::string& text);
+  void too_long(const std::string& limit);
   /// A variable of pixel memory for a variable of the tree.
   Binding& binding(const Variable& variable);
   Terms place_of(const Node& node);
@@ -86,7 +85,7 @@ class Lowering {
   void lower_jump(const Statement& statement);
   void test_loop(const Statement& statement, int loop);
   void begin_illuminance(const Statement& statement);
-  int take_bits(int count);
+  void take_bits(int count);
   // Control flow on the host around instructions that the caller appends.
   int begin_if(NodePtr condition);
   int begin_else(int opening);
@@ -204,10 +203,10 @@ class Lowering {
   std::set<const Variable*> indexed_;  ///< varying arrays with an index that is not known
   std::set<const Variable*> written_;  ///< by an assignment, or as an output
   std::set<const Function*> noted_;
-  std::vector<LoopContext> loops_;
-  int mask_bits_ = 0;  ///< in use
-  int depth_ = 0;      ///< of calls
-  int calls_ = 0;      ///< written in place
+  std::vector<int> loops_;  ///< Loop instructions of those around
+  int mask_bits_ = 0;       ///< in use
+  int depth_ = 0;           ///< of calls
+  int calls_ = 0;           ///< written in place
   int temporaries_ = 0;
   bool too_long_ = false;
   Location where_;
