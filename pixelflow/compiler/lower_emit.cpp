@@ -88,7 +88,7 @@ ir::Operand Lowering::operate(Code code, const Scalar& type, ir::Operand a, ir::
 }
 
 ir::Operand Lowering::join(Kind kind, const Scalar& type, ir::Operand a, ir::Operand b) {
-  if (is_uniform_operand(a) && is_uniform_operand(b)) a = pixel(a);
+  if (is_uniform_operand(a) && is_uniform_operand(b)) a = operate(Code::Copy, type, a);  // in all bytes of the result
   ir::Instruction instruction;
   instruction.kind = kind;
   instruction.d = temporary(type);
