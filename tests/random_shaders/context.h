@@ -29,6 +29,7 @@ struct FunctionName {
   std::vector<bool> outputs;
   Number result;
   bool uniform = false;  ///< its result
+  bool is_void = false;
   bool has_output() const {
     for (const bool output : outputs) {
       if (output) return true;
@@ -64,6 +65,7 @@ struct Writer {
   int names = 0;
   int masks = 0;
   int varying_bytes = 0;  ///< of everything declared so far
+  bool textures = false;  ///< may be looked up
 
   std::string fresh(const std::string& letter) { return letter + std::to_string(names++); }
 };
@@ -86,6 +88,8 @@ Typed fixed_value(Writer& writer, const Context& context, const Wish& wish);
 Typed float_value(Writer& writer, const Context& context, const Wish& wish);
 Typed condition(Writer& writer, const Context& context, bool uniform, int depth);
 Typed array_value(Writer& writer, const Context& context, const Wish& wish);
+/// An operation on an array, which stays fixed point if that is.
+Typed fixed_array(Writer& writer, const Context& context, const Typed& array, const Wish& wish);
 /// Something to assign to a variable of the type; sometimes a literal.
 Piece value_for(Writer& writer, const Context& context, const Number& number, int rows, bool uniform);
 /// A uniform index below `rows`.

@@ -202,7 +202,71 @@ Typed from_library(Writer& writer, const Context& context, const Wish& wish) {
           uniform};
 }
 
+/// dot, length or distance of fixed-point arrays.
+Typed of_arrays(Writer& writer, const Context& context, const Wish& wish) {
+  std::vector<Typed> found;
+  for (const Name& name : context.names) {
+    if (name.rows < 2 || name.number.floating || (wish.uniform && !name.uniform) || name.number.size > 14) continue;
+    if (!context.busy.contains(name.text))
+      found.push_back({expression(name.text), name.number, name.rows, name.uniform});
+  }
+  if (found.empty()) return leaf(writer, context, wish.uniform);
+  const Typed a = writer.random.of(found);
+  const Typed b = writer.random.of(found);
+  if (a.rows != b.rows || !aligns(a.number, b.number)) return leaf(writer, context, wish.uniform);
+  Number sum = product_type(a.number, b.number);
+  for (int n = 1; n < a.rows; ++n) sum = sum_type(sum, product_type(a.number, b.number));
+  const bool uniform = a.uniform && b.uniform;
+  if (writer.random.one_in(2)) return {expression("dot($, $)", {a.piece, b.piece}), sum, 0, uniform};
+  const bool length = writer.random.one_in(2);
+  const Number side = length ? a.number : difference_type(a.number, b.number);
+  Number square = product_type(side, side);
+  for (int n = 1; n < a.rows; ++n) square = sum_type(square, product_type(side, side));
+  if (square.size > kStored || square.exponent > 32 || square.exponent < -16)
+    return a.rows > 0 ? leaf(writer, context, wish.uniform) : a;
+  const int half = (std::max(0, square.integer_bits()) + 1) / 2;
+  const Number root = unsigned_fixed(std::max(1, half + square.exponent), square.exponent);
+  return length ? Typed{expression("length($)", {a.piece}), root, 0, a.uniform}
+                : Typed{expression("distance($, $)", {a.piece, b.piece}), root, 0, uniform};
+}
+
+Typed mixed(Writer& writer, const Context& context, const Wish& wish) {
+  std::vector<Piece> parts;
+  std::vector<Number> types;
+  bool uniform = true;
+  for (int n = 0; n < 3; ++n) {
+    const Typed one = cast(writer, fixed_value(writer, context, {0, wish.uniform, wish.depth - 1, false}),
+                           small_type(writer.random), false);
+    uniform = uniform && one.uniform;
+    parts.push_back(one.piece);
+    types.push_back(one.number);
+  }
+  const Number rest = difference_type(unsigned_fixed(1, 0), types[2]);
+  return {expression("mix($, $, $)", std::move(parts)),
+          sum_type(product_type(types[0], rest), product_type(types[1], types[2])), 0, uniform};
+}
+
 }  // namespace
+
+Typed fixed_array(Writer& writer, const Context& context, const Typed& array, const Wish& wish) {
+  static const std::vector<std::string> kOperators = {"+", "-", "*", "/", "%", "-"};
+  static const std::vector<std::string> kFunctions = {"abs", "floor", "round", "sign"};
+  if (array.number.floating || array.number.size > 24) return array;
+  if (writer.random.one_in(4)) {
+    // Their types as for scalars; what the array is used for converts it.
+    const std::string name = writer.random.of(kFunctions);
+    if (name != "abs") return {expression("$ * 1.0f", {array.piece}), kFloat, array.rows, array.uniform};
+    return {expression("abs($)", {array.piece}), unsigned_fixed(array.number.size, array.number.exponent), array.rows,
+            array.uniform};
+  }
+  const std::string op = writer.random.of(kOperators);
+  const Typed scalar = cast(writer, fixed_value(writer, context, {0, wish.uniform, wish.depth - 1, false}),
+                            small_type(writer.random), false);
+  const Number type = type_of(op, array.number, scalar.number);
+  if (type.size > kStored || (op == "%" && !aligns(array.number, scalar.number))) return array;
+  return {expression("($ " + op + " $)", {array.piece, scalar.piece}), type, array.rows,
+          array.uniform && scalar.uniform};
+}
 
 Typed cast(Writer& writer, Typed value, const Number& to, bool saturate) {
   const bool sat = saturate && !to.floating && !to.is_bool();
@@ -227,8 +291,10 @@ Piece index_below(Writer& writer, const Context& context, int rows) {
 
 Typed fixed_value(Writer& writer, const Context& context, const Wish& wish) {
   if (wish.depth <= 0) return leaf(writer, context, wish.uniform);
-  switch (writer.random.below(14)) {
+  switch (writer.random.below(16)) {
     case 0: return leaf(writer, context, wish.uniform);
+    case 14: return of_arrays(writer, context, wish);
+    case 15: return mixed(writer, context, wish);
     case 1:
     case 2: return unary(writer, context, wish);
     case 3: return bits(writer, context, wish);

@@ -69,6 +69,61 @@ Typed of_arrays(Writer& writer, const Context& context, const Wish& wish) {
   return {expression(name + "($, $)", {a.piece, b.piece}), kFloat, 0, a.uniform && b.uniform};
 }
 
+std::string matrix(Random& random) {
+  static const std::vector<std::string> kNumbers = {"0", "1", "0.5f", "-2.0", "3", "0.25", "-1e-3f"};
+  std::string made = "{";
+  for (int row = 0; row < 4; ++row) {
+    made += row == 0 ? "{" : ", {";
+    for (int column = 0; column < 4; ++column) made += (column == 0 ? "" : ", ") + random.of(kNumbers);
+    made += "}";
+  }
+  return made + "}";
+}
+
+/// A texture is looked up at pixels only: a coordinate has to vary.
+Typed looked_up(Writer& writer, const Context& context, const Wish& wish) {
+  std::vector<Piece> varying;
+  for (const Name& name : context.names) {
+    if (name.number.floating && !name.uniform && name.rows == 0 && !context.busy.contains(name.text)) {
+      varying.push_back(text(name.text));
+    }
+  }
+  const Typed b = float_value(writer, context, {0, false, wish.depth - 1, false});
+  if (varying.empty()) return b;
+  const int kind = writer.random.below(3);
+  const std::string form = kind == 0   ? "texture($, $, $)"
+                           : kind == 1 ? "texture4($, $, $)"
+                                       : "environment($, {$, $, 1})";
+  const Piece number = text(std::to_string(writer.random.below(3)));
+  return {expression(form + "[" + std::to_string(writer.random.below(3)) + "]",
+                     {number, writer.random.of(varying), b.piece}),
+          reference::unsigned_fixed(8, 8), 0, false};
+}
+
+/// A scalar of an array's noise, or an element of a vector of the geometry's functions.
+Typed of_points(Writer& writer, const Context& context, const Wish& wish) {
+  const Wish inner{3, wish.uniform, wish.depth - 1, false};
+  const Typed p = array_value(writer, context, inner);
+  const std::string index = "[" + std::to_string(writer.random.below(3)) + "]";
+  const int kind = writer.random.below(writer.settings.costly ? 6 : 2);
+  if (kind <= 1) {
+    const std::string name = kind == 0 ? "transform_point(" : "transform_vector(";
+    return {expression(name + matrix(writer.random) + ", $)" + index, {p.piece}), kFloat, 0, p.uniform};
+  }
+  if (kind == 2) {
+    const std::string octaves = std::to_string(writer.random.between(0, 3));
+    return {expression("turbulence($, " + octaves + ")", {p.piece}), kFloat, 0, p.uniform};
+  }
+  if (kind == 3) {
+    const Typed q = array_value(writer, context, inner);
+    const Typed s = float_value(writer, context, {0, wish.uniform, wish.depth - 1, false});
+    return {expression("bump($, $, {1, 0, 0}, $, 0.5)" + index, {p.piece, q.piece, s.piece}), kFloat, 0,
+            p.uniform && q.uniform && s.uniform};
+  }
+  const std::string name = kind == 4 ? "noise" : "snoise";
+  return {expression(name + "(1.0f * $)", {p.piece}), kFloat, 0, p.uniform};
+}
+
 Typed element_of_array(Writer& writer, const Context& context, const Wish& wish) {
   const int rows = wish.rows;
   std::vector<Piece> elements;
@@ -102,8 +157,12 @@ Typed float_value(Writer& writer, const Context& context, const Wish& wish) {
   if (wish.depth <= 0) return leaf(writer, context, wish.uniform);
   static const std::vector<std::string> kOperators = {"+", "-", "*", "/", "%", "+", "-", "*"};
   const Wish inner{0, wish.uniform, wish.depth - 1, false};
-  switch (writer.random.below(12)) {
+  switch (writer.random.below(14)) {
     case 0: return leaf(writer, context, wish.uniform);
+    case 12: return of_points(writer, context, wish);
+    case 13:
+      if (!writer.textures || wish.uniform || !writer.random.one_in(4)) return leaf(writer, context, wish.uniform);
+      return cast(writer, looked_up(writer, context, wish), kFloat, false);
     case 1: {
       const Typed a = float_value(writer, context, inner);
       return {expression("(-$)", {a.piece}), kFloat, 0, a.uniform};
@@ -148,7 +207,8 @@ Typed array_value(Writer& writer, const Context& context, const Wish& wish) {
   const bool leaf_only = wish.depth <= 0;
   if (!found.empty() && (leaf_only || writer.random.one_in(2))) return writer.random.of(found);
   const Wish inner{wish.rows, wish.uniform, wish.depth - 1, false};
-  const int kind = leaf_only ? 0 : writer.random.below(7);
+  const int kind = leaf_only ? 0 : writer.random.below(8);
+  if (kind == 7 && !found.empty()) return fixed_array(writer, context, writer.random.of(found), inner);
   if (kind == 1) {
     const Typed a = array_value(writer, context, inner);
     return {expression("normalize($)", {a.piece}), kFloat, wish.rows, a.uniform};
@@ -177,7 +237,7 @@ Typed array_value(Writer& writer, const Context& context, const Wish& wish) {
 Typed any_value(Writer& writer, const Context& context, const Wish& wish) {
   std::vector<const FunctionName*> pure;
   for (const FunctionName& function : context.functions) {
-    if (!function.has_output() && (function.uniform || !wish.uniform)) pure.push_back(&function);
+    if (!function.has_output() && !function.is_void && (function.uniform || !wish.uniform)) pure.push_back(&function);
   }
   if (!pure.empty() && wish.depth > 0 && writer.random.one_in(5)) {
     return call(writer, context, *writer.random.of(pure));

@@ -18,11 +18,13 @@ Piece function_definition(Writer& writer, Context& context) {
   FunctionName function;
   function.text = writer.fresh("f");
   function.uniform = writer.random.one_in(4);
+  function.is_void = !function.uniform && writer.random.one_in(5);
   function.result = random_type(writer.random);
   Context inner;
   inner.functions = context.functions;
   inner.mask = ++writer.masks;
-  std::string head = (function.uniform ? "uniform " : "") + spelled(function.result) + " " + function.text + "(";
+  std::string head = (function.uniform ? "uniform " : "") + (function.is_void ? "void" : spelled(function.result)) +
+                     " " + function.text + "(";
   const int count = writer.random.between(1, 3);
   for (int n = 0; n < count; ++n) {
     Name parameter;
@@ -45,6 +47,7 @@ Piece function_definition(Writer& writer, Context& context) {
   for (Piece& piece : statements(writer, inner, writer.random.between(0, 3), 1)) body.push_back(std::move(piece));
   Piece value = value_for(writer, inner, function.result, 0, function.uniform);
   context.functions.push_back(function);
+  if (function.is_void) return sequence({text(head + ") {\n"), sequence(std::move(body)), text("}\n")});
   return sequence({text(head + ") {\n"), sequence(std::move(body)), text("return "), std::move(value), text(";\n}\n")});
 }
 
@@ -140,12 +143,19 @@ Piece light_definition(Writer& writer, const Context& functions, const std::stri
   if (kind == 3) inside.names.push_back({"px_light_ray", kFloat, 3, false, false, 0});
   if (kind == 2) inside.mask = ++writer.masks;
   std::vector<Piece> body = statements(writer, inside, writer.random.between(0, 2), 1);
+  std::vector<Piece> after;
+  if (writer.random.one_in(2)) {
+    Context colors = inside;
+    colors.names.push_back({"px_light_color", unsigned_fixed(16, 12), 3, false, true, 0});
+    after = statements(writer, colors, 2, 1);
+  }
   static const char* const kColors[] = {"px_light_color", "px_light_ambient", "px_light_specular"};
   for (int n = 0; n < 3; ++n) {
     if (n > 0 && !three && writer.random.one_in(2)) continue;
     body.push_back(
         statement(std::string(kColors[n]) + " = $;\n", {array_value(writer, inside, {3, false, 2, false}).piece}));
   }
+  for (Piece& one : after) body.push_back(std::move(one));
   Piece all = sequence(std::move(body));
   if (kind <= 1) {
     pieces.push_back(sequence({text("illuminate ("), vector(false), text(") {\n"), all, text("}\n")}));
@@ -193,11 +203,31 @@ Program random_program(std::uint64_t seed, const Settings& settings) {
   }
   program.surface = "s";
   context.mask = ++writer.masks;
-  std::string head = "surface s(output varying fixed<8,8> px_shader_color[3]";
+  // Other types than the picture's are converted at the end.
+  Number color = unsigned_fixed(8, 8);
+  if (random.one_in(5)) color = random.one_in(2) ? kFloat : Number{false, random.one_in(2), random.between(4, 20), 12};
+  std::string head = "surface s(output varying " + spelled(color) + " px_shader_color[3]";
   const int varying = random.between(1, 3), uniform = random.between(0, 3);
   for (int n = 0; n < varying; ++n) head += ", " + parameter(writer, context, false);
   for (int n = 0; n < uniform; ++n) head += ", " + parameter(writer, context, true);
+  if (random.one_in(4)) {
+    static const std::vector<std::string> kNormals = {"unit float", "float", "unit signed fixed<10,8>"};
+    const int kind = random.below(3);
+    head += ", varying transform_as_normal " + kNormals[static_cast<std::size_t>(kind)] + " px_material_normal[3]";
+    context.names.push_back({"px_material_normal", kind == 2 ? signed_fixed(10, 8) : kFloat, 3, false, false, 0});
+  }
+  if (random.one_in(4)) {
+    head += ", varying fixed<16,12> px_shader_texcoord[2]";
+    context.names.push_back({"px_shader_texcoord", unsigned_fixed(16, 12), 2, false, false, 0});
+  }
   if (random.one_in(6)) {
+    head += ", uniform float px_shader_time";
+    context.names.push_back({"px_shader_time", kFloat, 0, true, false, 0});
+  }
+  if (random.one_in(8)) {
+    head += ", varying signed fixed<20,8> px_shader_position[3]";
+    context.names.push_back({"px_shader_position", signed_fixed(20, 8), 3, false, false, 0});
+  } else if (random.one_in(6)) {
     head += ", varying float px_shader_position[3]";
     context.names.push_back({"px_shader_position", kFloat, 3, false, false, 0});
   }
@@ -208,7 +238,10 @@ Program random_program(std::uint64_t seed, const Settings& settings) {
   pieces.push_back(text(head + ") {\npx_shader_color = {0, 0, 0};\n"));
   const int declarations = random.between(1, 4);
   for (int n = 0; n < declarations; ++n) pieces.push_back(declaration(writer, context));
-  for (Piece& one : statements(writer, context, random.between(1, settings.statements), 2)) {
+  writer.textures = random.one_in(4);
+  const bool large = random.one_in(12);
+  for (Piece& one :
+       statements(writer, context, random.between(1, (large ? 2 : 1) * settings.statements), large ? 5 : 2)) {
     pieces.push_back(std::move(one));
   }
   if (lit) {
@@ -234,7 +267,11 @@ Program random_program(std::uint64_t seed, const Settings& settings) {
     pieces.push_back(sequence(std::move(parts)));
     for (Piece& one : statements(writer, context, random.between(0, 2), 1)) pieces.push_back(std::move(one));
   }
-  for (Piece& one : observation(writer, context)) pieces.push_back(std::move(one));
+  if (color == unsigned_fixed(8, 8)) {
+    for (Piece& one : observation(writer, context)) pieces.push_back(std::move(one));
+  } else {
+    pieces.push_back(statement("px_shader_color = $;\n", {array_value(writer, context, {3, false, 2, false}).piece}));
+  }
   pieces.push_back(text("}\n"));
   program.text = sequence(std::move(pieces));
   return program;

@@ -23,16 +23,47 @@ struct Values {
   std::uint64_t rubbish = 0;         ///< what memory holds before
 };
 
+/// The images that shaders look up: pictures of random texels, shared by both sides.
+class Pictures : public reference::Textures {
+ public:
+  Pictures() {
+    Random random(1);
+    for (int number = 0; number < 2; ++number) {
+      pfman::TextureMemory::Texture texture{4 << number, 4, {}};
+      for (int n = 0; n < 4 * texture.width * texture.height; ++n) {
+        texture.rgba.push_back(static_cast<std::uint8_t>(random.bits() >> 32));
+      }
+      memory_.set(number, std::move(texture));
+    }
+  }
+  std::array<std::uint8_t, 4> look_up(std::int64_t number, float s, float t) const override {
+    return memory_.lookup(number, s, t);
+  }
+  std::array<std::uint8_t, 4> environment(std::int64_t number, std::array<float, 3> direction) const override {
+    return memory_.environment(number, direction);
+  }
+  const pfman::TextureMemory& memory() const { return memory_; }
+
+ private:
+  pfman::TextureMemory memory_;
+};
+
+const Pictures& pictures() {
+  static const Pictures kPictures;
+  return kPictures;
+}
+
 Values random_input(const reference::Interpreter& interpreter, const Program& program, std::uint64_t seed) {
   Random random(seed ^ 0x9E3779B97F4A7C15u);
   Values values;
   reference::Input& input = values.input;
   input.lanes = kLanes;
+  input.textures = &pictures();
   input.position = random_values(random, reference::kFloat, 3 * kLanes);
   const auto uniform_of = [&](const std::string& shader) {
     reference::ParameterValues given;
     for (const reference::ParameterInfo& parameter : interpreter.parameters(shader)) {
-      if (parameter.uniform && !random.one_in(4))
+      if (parameter.uniform && (parameter.name.starts_with("px_") || !random.one_in(4)))
         given[parameter.name] = random_values(random, parameter.number, parameter.elements);
     }
     return given;
@@ -40,9 +71,10 @@ Values random_input(const reference::Interpreter& interpreter, const Program& pr
   if (!program.surface.empty()) {
     input.uniform = uniform_of(program.surface);
     for (const reference::ParameterInfo& parameter : interpreter.parameters(program.surface)) {
-      if (parameter.uniform || parameter.output || parameter.name.starts_with("px_")) continue;
+      if (parameter.uniform || parameter.output) continue;
+      if (parameter.name == "px_shader_position" || parameter.name == "px_shader_view") continue;
       // Most come with the pixels, some are bound, some keep their default.
-      const int kind = random.below(8);
+      const int kind = parameter.name.starts_with("px_") ? 2 : random.below(8);
       if (kind == 0) continue;
       input.varying[parameter.name] =
           random_values(random, parameter.number, parameter.elements * (kind == 1 ? 1 : kLanes));
@@ -118,7 +150,7 @@ std::vector<std::uint8_t> shade(const pfman::CompiledUnit& unit, const Program& 
     }
   }
   std::vector<pfman::Instance> surfaces{surface};
-  pfman::ShadingNode node(std::move(surfaces), std::move(lights), nullptr);
+  pfman::ShadingNode node(std::move(surfaces), std::move(lights), &pictures().memory());
   node.shade(*array);
   return get(*array, pfman::kColorAt, 3);
 }

@@ -167,7 +167,7 @@ Piece call_statement(Writer& writer, const Context& context) {
   form += ")";
   std::vector<Name> fitting;
   for (const Name& name : targets(rest)) {
-    if (name.rows == 0 && !rest.busy.contains(name.text) && (!name.uniform || function.uniform) &&
+    if (name.rows == 0 && !function.is_void && !rest.busy.contains(name.text) && (!name.uniform || function.uniform) &&
         !(name.number.is_bool() && function.result.floating)) {
       fitting.push_back(name);
     }
@@ -204,12 +204,26 @@ Piece declaration(Writer& writer, Context& context) {
                    {std::move(value)});
 }
 
+/// A matrix, whose rows then are arrays.
+Piece matrix_declaration(Writer& writer, Context& context) {
+  const Number number = writer.random.one_in(2) ? reference::kFloat : reference::signed_fixed(12, 5);
+  const bool uniform = writer.random.one_in(2) || writer.varying_bytes + 16 > kVaryingBytes;
+  if (!uniform) writer.varying_bytes += 4 * bytes_of(number, 1);
+  const std::string name = writer.fresh("m");
+  std::vector<Piece> elements;
+  for (int n = 0; n < 4; ++n) elements.push_back(any_value(writer, context, {0, uniform, 1, false}).piece);
+  for (const char* row : {"[0]", "[1]"}) context.names.push_back({name + row, number, 2, uniform, true, context.mask});
+  return statement((uniform ? "uniform " : "") + spelled(number) + " " + name + "[2][2] = {{$, $}, {$, $}};\n",
+                   std::move(elements));
+}
+
 std::vector<Piece> statements(Writer& writer, Context context, int count, int depth) {
   std::vector<Piece> made;
   for (int n = 0; n < count; ++n) {
     const int kind = writer.random.below(depth > 0 ? 14 : 9);
     if (kind <= 1) {
-      made.push_back(declaration(writer, context));
+      const bool matrix = writer.random.one_in(12);
+      made.push_back(matrix ? matrix_declaration(writer, context) : declaration(writer, context));
     } else if (kind == 2) {
       made.push_back(nested_assignment(writer, context));
     } else if (kind == 3 && context.loops > 0) {

@@ -124,11 +124,7 @@ NodePtr Resolver::assignment_node(const Expression& expression) {
   }
   if (value->shape != target->shape) fail(203, expression.where, "assignment between different shapes");
   if (target->uniform && !value->uniform) fail(301, expression.where, "varying value for a uniform variable");
-  const Variable* base = (target->kind == Node::Kind::Read ? target.get() : target->operands[0].get())->variable;
-  for (int n = 0; base != nullptr && n < 3; ++n) {
-    const char* const names[] = {"px_light_color", "px_light_ambient", "px_light_specular"};
-    if (base == scopes_.front().at(names[n])) three_colors_[n] = true;
-  }
+  note_color(*target);
   NodePtr made = make_node(Node::Kind::Assign, expression.where);
   made->number = target->number;
   made->shape = target->shape;
@@ -137,6 +133,15 @@ NodePtr Resolver::assignment_node(const Expression& expression) {
   made->operands.push_back(std::move(target));
   made->operands.push_back(std::move(value));
   return made;
+}
+
+/// Which of the light's colours something assigns.
+void Resolver::note_color(const Node& target) {
+  const Variable* base = (target.kind == Node::Kind::Read ? &target : target.operands[0].get())->variable;
+  for (int n = 0; base != nullptr && n < 3; ++n) {
+    const char* const names[] = {"px_light_color", "px_light_ambient", "px_light_specular"};
+    if (base == scopes_.front().at(names[n])) three_colors_[n] = true;
+  }
 }
 
 NodePtr Resolver::increment_node(const Expression& expression) {
@@ -148,6 +153,7 @@ NodePtr Resolver::increment_node(const Expression& expression) {
   NodePtr made = make_node(Node::Kind::Increment, expression.where);
   made->operands.push_back(node(*expression.operands[0]));
   const Node& target = *made->operands[0];
+  note_color(target);
   made->number = target.number;
   made->shape = target.shape;
   made->uniform = target.uniform;
@@ -179,6 +185,7 @@ NodePtr Resolver::call_node(const Expression& expression) {
     made->operands.push_back(root(std::move(argument), parameter.number));
     const bool output = called.definition->parameters[n].specifiers->output;
     made->results.push_back(output ? node(*expression.operands[n]) : nullptr);
+    if (output) note_color(*made->results.back());
   }
   if (called.result != nullptr) {
     made->number = called.result->number;

@@ -63,6 +63,7 @@ class Resolver {
   NodePtr array_node(const Expression& expression);
   NodePtr conditional_node(const Expression& expression);
   NodePtr assignment_node(const Expression& expression);
+  void note_color(const Node& target);
   NodePtr increment_node(const Expression& expression);
   NodePtr call_node(const Expression& expression);
   NodePtr unary_node(Operator op, NodePtr operand, pfman::Location where);
