@@ -3,6 +3,7 @@
 #include "pixelflow/compiler/check.h"
 #include "pixelflow/compiler/lifetime.h"
 #include "pixelflow/compiler/lower.h"
+#include "pixelflow/compiler/shared_phong.h"
 
 namespace pfman {
 namespace {
@@ -14,6 +15,7 @@ CompiledShader compile_shader(const Tree& tree, const Shader& shader, const Opti
   compiled.tree = &tree;
   compiled.code = lower(tree, shader, {.fuse = options.fuse}, diagnostics);
   if (diagnostics.has_errors()) return compiled;
+  mark_shared_phong(compiled.code, shader);
   to_ssa(compiled.code, diagnostics);
   merge_phis(compiled.code);
   if (options.drop_unused) drop_unused(compiled.code);

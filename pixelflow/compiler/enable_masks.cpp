@@ -25,6 +25,18 @@ bool is_masked_loop(const ir::Instruction& i) { return i.kind == Kind::Loop && i
 
 }  // namespace
 
+void enable_ids(Assembler& out, const std::vector<int>& ids) {
+  if (ids.empty()) return out.flag(Flag::E, Bit::One);
+  for (std::size_t n = 0; n < ids.size(); ++n) {
+    for (int byte = 0; byte < kShaderIdBytes; ++byte) {
+      out.alu(Alu::Xor, To::None, P::Immediate, Q::Memory,
+              {.addr = kShaderIdAt + byte, .imm = ids[n] >> 8 * byte & 0xFF, .z = byte == 0 ? ZMode::Set : ZMode::And});
+    }
+    if (ids.size() > 1) out.flag(Flag::K, Bit::Z, false, n == 0 ? FlagOp::Move : FlagOp::Or);
+  }
+  out.flag(Flag::E, ids.size() > 1 ? Bit::K : Bit::Z);
+}
+
 EnableMasks::EnableMasks(StreamWriter& out, const ir::Code& code, std::vector<int> deep, std::vector<int> ids)
     : out_(out), code_(code), deep_(std::move(deep)), ids_(std::move(ids)) {}
 
@@ -70,21 +82,8 @@ EnableMasks::Region EnableMasks::inner(const Region& outer, int bit, int free_bi
   return region;
 }
 
-void EnableMasks::enable_ids(Assembler& out) const {
-  if (ids_.empty()) return out.flag(Flag::E, Bit::One);
-  for (std::size_t n = 0; n < ids_.size(); ++n) {
-    for (int byte = 0; byte < kShaderIdBytes; ++byte) {
-      out.alu(
-          Alu::Xor, To::None, P::Immediate, Q::Memory,
-          {.addr = kShaderIdAt + byte, .imm = ids_[n] >> 8 * byte & 0xFF, .z = byte == 0 ? ZMode::Set : ZMode::And});
-    }
-    if (ids_.size() > 1) out.flag(Flag::K, Bit::Z, false, n == 0 ? FlagOp::Move : FlagOp::Or);
-  }
-  out.flag(Flag::E, ids_.size() > 1 ? Bit::K : Bit::Z);
-}
-
 void EnableMasks::load_enable(Assembler& out, const Region& region) const {
-  if (region.bit < 0) return enable_ids(out);
+  if (region.bit < 0) return enable_ids(out, ids_);
   const int byte = region.bit / kBitsOfByte;
   out.flag_of_memory(Flag::E, address(static_cast<std::size_t>(byte)), region.bit % kBitsOfByte);
   // The deeper bytes lie in the shader's own memory: elsewhere they may be anything.
@@ -94,7 +93,7 @@ void EnableMasks::load_enable(Assembler& out, const Region& region) const {
 void EnableMasks::begin_stage(int first, int last) {
   Region stage;
   stage.known.assign(1 + deep_.size(), 0);
-  out_.bare([&](Assembler& out) { enable_ids(out); });
+  out_.bare([&](Assembler& out) { enable_ids(out, ids_); });
   begin(std::move(stage), first, last, ids_.empty());
 }
 

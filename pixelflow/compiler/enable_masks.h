@@ -20,6 +20,9 @@
 
 namespace pfman {
 
+/// E := the element's shader ID is one of these; 1 where there are none. Needs Z and K.
+void enable_ids(pixelflow::Assembler& out, const std::vector<int>& ids);
+
 class EnableMasks {
  public:
   /// `deep`: addresses of the mask bytes from bit 8 on, in the shader's own memory. `ids`: the shader's pixels, all
@@ -82,7 +85,6 @@ class EnableMasks {
   Region inner(const Region& outer, int bit, int free_bit) const;
   int set_bit(Region& region, int bit) const;
   void load_enable(pixelflow::Assembler& out, const Region& region) const;
-  void enable_ids(pixelflow::Assembler& out) const;
   void store_known(const Region& target, pixelflow::Gate gate = pixelflow::Gate::E);
   int address(std::size_t byte) const;
   bool dirty() const;

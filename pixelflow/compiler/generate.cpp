@@ -46,33 +46,6 @@ Environment start(const CompiledShader& shader, const GenerateInput& input) {
   return environment;
 }
 
-/// First instructions of the stages that follow the first, and the end.
-struct StageBounds {
-  int illum = -1;  ///< behind its marker; -1: there is none
-  int post = -1;
-  int first_end = 0;
-  int illum_end = 0;
-  int end = 0;
-};
-
-StageBounds stages(const ir::Code& code) {
-  StageBounds bounds;
-  bounds.end = static_cast<int>(code.code.size());
-  bounds.first_end = bounds.illum_end = bounds.end;
-  for (int at = 0; at < bounds.end; ++at) {
-    const ir::Instruction& i = code.code[static_cast<std::size_t>(at)];
-    if (i.kind != Kind::Stage) continue;
-    if (bounds.illum < 0 && bounds.post < 0) bounds.first_end = at;
-    if (i.stage == 1) {
-      bounds.illum = at + 1;
-    } else {
-      bounds.illum_end = at;
-      bounds.post = at + 1;
-    }
-  }
-  return bounds;
-}
-
 void count_cycles(const Stream& stream, Streams& streams) {
   for (const Stream::Part& part : stream.parts) {
     const pixelflow::Program& program = part.program;

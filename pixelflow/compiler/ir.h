@@ -99,7 +99,8 @@ struct Instruction {
   int stage = 0;  ///< Stage: 1 illum, 2 post-illum
   const Function* external = nullptr;
   std::vector<Operand>
-      arguments;  ///< External: in the parameters' order; outputs are definitions (and uses: they are copied in)
+      arguments;  ///< External: in the parameters' order; outputs are definitions (and uses: they are copied in).
+                  ///< Stage: what common code in the illuminance's place would read and leave
   Location where;
 
   // Filled by allocate().
@@ -135,7 +136,13 @@ struct Code {
   std::vector<int> mask_bytes;  ///< variables for mask bits 8 and up, eight each
   bool has_illuminance = false;
   bool needs_position = false;  ///< reads px_shader_position
-  std::vector<Phi> phis;        ///< between to_ssa() and merge_phis()
+  /// Surface of the flag shared_phong: types of the normal and the view, where common code can take the place of its
+  /// illuminance; the Stage instructions then name what it reads and leaves.
+  struct SharedPhong {
+    Scalar normal, view;
+  };
+  std::optional<SharedPhong> shared_phong;
+  std::vector<Phi> phis;  ///< between to_ssa() and merge_phis()
   // Pixel memory if every variable had bytes of its own, before anything is renamed; without parameters. By to_ssa().
   int source_bytes = 0;     ///< variables of the source
   int temporary_bytes = 0;  ///< the compiler's

@@ -28,6 +28,7 @@ int extent(const Code& code, const Instruction& instruction, const Operand& oper
     return code.variables[operand.variable].bytes() - operand.offset;
   }
   if (instruction.kind == Kind::External) {
+    if (&operand == &instruction.d) return instruction.external->result.count() * operand.bytes;
     for (std::size_t n = 0; n < instruction.arguments.size(); ++n) {
       if (&operand != &instruction.arguments[n]) continue;
       const std::vector<pfman::Variable*>& parameters = instruction.external->parameters;
@@ -47,6 +48,7 @@ Access access_of_result(const Code& code, const Instruction& instruction, const 
 }
 
 Access access_of_argument(const Code& code, const Instruction& instruction, std::size_t argument) {
+  if (instruction.kind == Instruction::Kind::Stage) return Access::Read;
   const std::vector<pfman::Variable*>& parameters = instruction.external->parameters;
   if (argument >= parameters.size()) return access_of_result(code, instruction, instruction.arguments[argument]);
   return parameters[argument]->output ? Access::Update : Access::Read;

@@ -21,6 +21,24 @@ pixelflow::Operand number(int address, int bytes) {
 
 }  // namespace
 
+StageBounds stages(const ir::Code& code) {
+  StageBounds bounds;
+  bounds.end = static_cast<int>(code.code.size());
+  bounds.first_end = bounds.illum_end = bounds.end;
+  for (int at = 0; at < bounds.end; ++at) {
+    const ir::Instruction& i = code.code[static_cast<std::size_t>(at)];
+    if (i.kind != Kind::Stage) continue;
+    if (bounds.illum < 0 && bounds.post < 0) bounds.first_end = at;
+    if (i.stage == 1) {
+      bounds.illum = at + 1;
+    } else {
+      bounds.illum_end = at;
+      bounds.post = at + 1;
+    }
+  }
+  return bounds;
+}
+
 StageWalker::StageWalker(const CompiledShader& shader, Environment& environment, const std::vector<int>& ids,
                          Stream& stream)
     : code_(shader.code), map_(shader.map), environment_(environment), out_(stream), masks_(out_, code_, deep(), ids) {}
@@ -240,7 +258,9 @@ void StageWalker::call(const ir::Instruction& i) {
   }
   std::vector<ExternalArgument> arguments;
   for (std::size_t n = 0; n < i.arguments.size(); ++n) {
-    arguments.push_back(argument(i.arguments[n], i.external->parameters[n]->type));
+    const auto& parameters = i.external->parameters;
+    // A varying result follows the parameters.
+    arguments.push_back(argument(i.arguments[n], n < parameters.size() ? parameters[n]->type : i.external->result));
   }
   if (i.d) arguments.push_back(argument(i.d, i.external->result));
   const EnableMasks::SharedByte mask = masks_.settle();

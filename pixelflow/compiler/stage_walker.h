@@ -1,4 +1,4 @@
-// Walks the code of one stage as the host runs it, and writes what the pixel processors are to do.
+// The stages of a shader's code; one of them walked as the host runs it, writing what the pixel processors are to do.
 #pragma once
 
 #include <map>
@@ -8,6 +8,17 @@
 #include "pixelflow/compiler/enable_masks.h"
 
 namespace pfman {
+
+/// First instructions of the stages that follow the first, and the end.
+struct StageBounds {
+  int illum = -1;  ///< behind its marker; -1: there is none
+  int post = -1;
+  int first_end = 0;
+  int illum_end = 0;
+  int end = 0;
+};
+
+StageBounds stages(const ir::Code& code);
 
 class StageWalker {
  public:

@@ -107,11 +107,53 @@ const Streams& ShadingNode::streams(const Instance& instance, const std::vector<
                         user);
 }
 
+void ShadingNode::share_illum(std::vector<Group>& groups) {
+  const auto marked = [](const Group& group) { return group.first->shader().code.shared_phong.has_value(); };
+  const auto first = std::find_if(groups.begin(), groups.end(), marked);
+  if (first == groups.end() || lights_.empty()) return;
+  if (!common_.code || !common_.code->serves(first->first->shader())) {
+    common_ = {};
+    common_.code = std::make_unique<SharedPhong>(first->first->shader());
+  }
+  int block = kParametersAt;
+  std::vector<Group*> sharing;
+  for (Group& group : groups) {
+    if (!common_.code->serves(group.first->shader())) continue;
+    sharing.push_back(&group);
+    block = std::max(block, high_water(group.first->shader()));
+  }
+  const int behind = block + common_.code->block_bytes();
+  const bool fits = behind + common_.code->work_bytes() <= kSharedAt &&
+                    std::all_of(lights_.begin(), lights_.end(),
+                                [&](const Instance& light) { return light.shader().map.first_free >= behind; });
+  if (sharing.size() < 2 || !fits) return;
+  std::vector<std::vector<int>> ids;
+  std::vector<int> all;
+  for (Group* group : sharing) {
+    group->shares = true;
+    ids.push_back(group->ids);
+    all.insert(all.end(), group->ids.begin(), group->ids.end());
+  }
+  shared_ += static_cast<int>(sharing.size());
+  if (common_.ids == ids && common_.block == block) return;
+  common_.ids = std::move(ids);
+  common_.block = block;
+  common_.illum = common_.code->illum(block, all);
+  common_.to_block.clear();
+  common_.from_block.clear();
+  for (const Group* group : sharing) {
+    common_.to_block.push_back(common_.code->copies(group->first->shader(), block, group->ids, false));
+    common_.from_block.push_back(common_.code->copies(group->first->shader(), block, group->ids, true));
+  }
+}
+
 void ShadingNode::shade(PixelArray& array) {
   std::vector<Group> groups = groups_in(array);
   if (groups.empty()) return;
   for (Group& group : groups) group.streams = &streams(*group.first, group.ids, group.ids.front());
   executions_ += static_cast<int>(groups.size());
+  share_illum(groups);
+  const bool shares = std::any_of(groups.begin(), groups.end(), [](const Group& group) { return group.shares; });
 
   const pixelflow::Program first = pre_shade();
   array.run(first);
@@ -120,14 +162,21 @@ void ShadingNode::shade(PixelArray& array) {
   for (const Group& group : groups) {
     if (has_illuminance(group)) run(group.streams->pre, array, cycles_.pre);
   }
+  if (shares) {
+    for (const Stream& copies : common_.to_block) run(copies, array, cycles_.pre);
+  }
   for (std::size_t n = 0; n < lights_.size() && std::any_of(groups.begin(), groups.end(), has_illuminance); ++n) {
     // Lights have users of their own, counted down from -1.
     run(streams(lights_[n], {}, -1 - static_cast<int>(n)).pre, array, cycles_.lights);
+    if (shares) run(common_.illum, array, cycles_.illum);
     for (const Group& group : groups) {
-      if (!has_illuminance(group)) continue;
+      if (!has_illuminance(group) || group.shares) continue;
       const std::vector<Stream>& illum = group.streams->illum;
       run(illum[illum.size() == 1 ? 0 : n], array, cycles_.illum);
     }
+  }
+  if (shares) {
+    for (const Stream& copies : common_.from_block) run(copies, array, cycles_.post);
   }
   for (const Group& group : groups) {
     if (has_illuminance(group)) {

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "cmodel/pixelflow/pixel_array.h"
+#include "pixelflow/compiler/shared_phong.h"
 #include "pixelflow/shading/instance.h"
 
 namespace pfman {
@@ -50,6 +52,8 @@ class ShadingNode {
   const Cycles& cycles() const { return cycles_; }
   /// Surfaces executed, a region each: instances with equal values run once.
   int executions() const { return executions_; }
+  /// How many of them had their light added up by a stream that serves several surfaces.
+  int shared() const { return shared_; }
   const StreamCache& cache() const { return cache_; }
 
  private:
@@ -58,8 +62,20 @@ class ShadingNode {
     const Instance* first;
     std::vector<int> ids;  ///< all of them, there or not: the streams stay the same from region to region
     const Streams* streams = nullptr;
+    bool shares = false;  ///< its light is added up by the common stream
+  };
+  /// The common illum stream of the surfaces that share it, and the copies before and after it.
+  struct Common {
+    std::unique_ptr<SharedPhong> code;
+    std::vector<std::vector<int>> ids;  ///< of each group that shares
+    int block = -1;
+    Stream illum;
+    std::vector<Stream> to_block, from_block;
   };
   std::vector<Group> groups_in(const pixelflow::PixelArray& array) const;
+  /// Decides which groups share their illum stream: those of one kind, where there are two at least and the memory
+  /// suffices.
+  void share_illum(std::vector<Group>& groups);
   const Streams& streams(const Instance& instance, const std::vector<int>& ids, int user);
   void run(const Stream& stream, pixelflow::PixelArray& array, std::uint64_t& cycles);
   void look_up(const Lookup& lookup, pixelflow::PixelArray& array);
@@ -67,8 +83,9 @@ class ShadingNode {
   std::vector<Instance> surfaces_, lights_;
   const TextureMemory* textures_;
   StreamCache cache_;
+  Common common_;
   Cycles cycles_;
-  int executions_ = 0;
+  int executions_ = 0, shared_ = 0;
 };
 
 }  // namespace pfman
