@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "pixelflow/compiler/checker.h"
+#include "pixelflow/compiler/host_numbers.h"
 
 namespace pfman {
 
@@ -76,11 +77,12 @@ Value Checker::turbulence(Values arguments, Location where) {
   NodePtr octaves = uniform_integer(std::move(arguments[1]), "the number of octaves");
   if (!point || !octaves) return {};
   if (is_constant(*octaves)) {
-    constexpr std::int64_t kMost = 16;
     const std::optional<std::int64_t> count = constant_integer(*octaves);
     if (!count) return {};
-    if (*count > kMost) {
-      return mistake(132, octaves->where, "'turbulence' adds 16 octaves at most, not " + std::to_string(*count));
+    if (*count > kMostOctaves) {
+      return mistake(
+          132, octaves->where,
+          "'turbulence' adds " + std::to_string(kMostOctaves) + " octaves at most, not " + std::to_string(*count));
     }
   }
   NodePtr node = make_node(Op::Turbulence, Scalar::floating(), nodes(std::move(point), std::move(octaves)), where);

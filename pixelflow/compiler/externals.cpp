@@ -41,4 +41,6 @@ PixelExternal pixel_external(const std::string& name) {
   return found == registry().pixel.end() ? PixelExternal{} : found->second;
 }
 
+std::uint8_t pixel_kind(const Scalar& scalar) { return scalar.is_float ? 2 : scalar.is_signed ? 1 : 0; }
+
 }  // namespace pfman

@@ -17,4 +17,7 @@ struct PixelExternal {
 UniformFunction uniform_external(const std::string& name);
 PixelExternal pixel_external(const std::string& name);
 
+/// PixelVariable::kind of numbers of the type.
+std::uint8_t pixel_kind(const Scalar& scalar);
+
 }  // namespace pfman

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "pixelflow/compiler/build.h"
+#include "pixelflow/compiler/externals.h"
 #include "pixelflow/compiler/lifetime.h"
 #include "pixelflow/compiler/lower.h"
 #include "pixelflow/compiler/memory_layout.h"
@@ -15,16 +17,6 @@ namespace {
   throw std::invalid_argument("function '" + function.name + "': " + what);
 }
 
-NodePtr reference(Variable& variable) {
-  auto node = std::make_unique<Node>();
-  node->op = Node::Op::Variable;
-  node->type = variable.type;
-  node->exact = variable.type.scalar;
-  node->where = variable.where;
-  node->variable = &variable;
-  return node;
-}
-
 StatementPtr evaluation(NodePtr expression) {
   auto statement = std::make_unique<Statement>();
   statement->kind = Statement::Kind::Evaluate;
@@ -33,15 +25,10 @@ StatementPtr evaluation(NodePtr expression) {
   return statement;
 }
 
+NodePtr read(Variable& variable) { return make_read(&variable, variable.where); }
+
 NodePtr assignment(Variable& target, NodePtr value) {
-  auto node = std::make_unique<Node>();
-  node->op = Node::Op::Assign;
-  node->type = target.type;
-  node->exact = target.type.scalar;
-  node->where = target.where;
-  node->operands.push_back(reference(target));
-  node->operands.push_back(std::move(value));
-  return node;
+  return make_assign(read(target), std::move(value), target.where);
 }
 
 /// A shader around one call: its parameters are the function's, its output is what the function leaves.
@@ -61,14 +48,14 @@ class CallShader {
       Variable* const variable = add(*parameter, Variable::Role::Parameter);
       shader_.parameters.push_back({variable, nullptr, true});
       if (!parameter->output) {
-        call->operands.push_back(reference(*variable));
+        call->operands.push_back(read(*variable));
         continue;
       }
       // What comes in and what goes out are two variables: the first has its place given.
       outputs.push_back(add(*parameter, Variable::Role::Parameter));
       outputs.back()->output = true;
-      shader_.body.push_back(evaluation(assignment(*outputs.back(), reference(*variable))));
-      call->operands.push_back(reference(*outputs.back()));
+      shader_.body.push_back(evaluation(assignment(*outputs.back(), read(*variable))));
+      call->operands.push_back(read(*outputs.back()));
     }
     if (function.result.is_void) {
       shader_.body.push_back(evaluation(std::move(call)));
@@ -154,8 +141,7 @@ void move_memory(CompiledShader& compiled, const PixelWorkspace& workspace, cons
 
 void check_variable(const Function& function, const std::string& name, const PixelVariable& place, const Type& type) {
   const Scalar& scalar = type.scalar;
-  const int kind = scalar.is_float ? 2 : scalar.is_signed ? 1 : 0;
-  if (place.bytes != scalar.bytes() || place.kind != kind || place.count != type.count() ||
+  if (place.bytes != scalar.bytes() || place.kind != pixel_kind(scalar) || place.count != type.count() ||
       (!scalar.is_float && place.exponent != scalar.exponent)) {
     refuse(function, "'" + name + "' is " + spelling(type));
   }

@@ -228,7 +228,10 @@ class Evaluator {
 
   std::int64_t octaves(const Node& node) {
     const std::int64_t count = integer(node);
-    if (count > 16) throw UniformError(node.where, "turbulence of " + std::to_string(count) + " octaves; 16 at most");
+    if (count > kMostOctaves) {
+      throw UniformError(node.where, "turbulence of " + std::to_string(count) + " octaves; " +
+                                         std::to_string(kMostOctaves) + " at most");
+    }
     return count;
   }
 

@@ -26,6 +26,7 @@ std::uint64_t math(pixelflow::Code code, std::uint64_t x, std::uint64_t y);
 std::uint64_t noise(const std::uint64_t* coordinates, int dimensions, bool is_float);
 /// Of floats, or of fixed numbers of the types.
 std::uint64_t cell_noise(const std::uint64_t* coordinates, const Scalar* types, int dimensions);
+constexpr std::int64_t kMostOctaves = 16;  ///< that a shader may ask for
 std::uint64_t turbulence(const std::uint64_t point[3], std::int64_t octaves);
 
 float as_float(std::uint64_t raw);

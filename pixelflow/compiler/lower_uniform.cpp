@@ -13,19 +13,6 @@ bool has_inlined_call(const Node& node) {
                      [](const NodePtr& operand) { return has_inlined_call(*operand); });
 }
 
-/// Without operands.
-NodePtr copy_of(const Node& node) {
-  NodePtr copy = make_node(node.op, node.exact, {}, node.where);
-  copy->type = node.type;
-  copy->raw = node.raw;
-  copy->variable = node.variable;
-  copy->math = node.math;
-  copy->function = node.function;
-  copy->precise = node.precise;
-  copy->under = node.under;
-  return copy;
-}
-
 }  // namespace
 
 bool is_uniform(const Node& node) {
@@ -141,7 +128,7 @@ Variable* Lowering::uniform_of(const Variable& variable) {
 
 NodePtr Lowering::uniform_tree(const Node& node) {
   if (has_inlined_call(node)) return hoisting_tree(node);
-  NodePtr copy = copy_of(node);
+  NodePtr copy = clone_alone(node);
   if (node.variable) copy->variable = uniform_of(*node.variable);
   for (const NodePtr& operand : node.operands) copy->operands.push_back(uniform_tree(*operand));
   return copy;
@@ -164,7 +151,7 @@ NodePtr Lowering::hoisting_tree(const Node& node) {
     case Op::Select: return conditional_tree(node);
     default: break;
   }
-  NodePtr copy = copy_of(node);
+  NodePtr copy = clone_alone(node);
   if (node.variable) copy->variable = uniform_of(*node.variable);
   for (const NodePtr& operand : node.operands) copy->operands.push_back(once(uniform_tree(*operand)));
   return node.type.is_void ? std::move(copy) : once(std::move(copy));

@@ -170,6 +170,7 @@ struct Tree {
 };
 
 NodePtr clone(const Node& node);
+NodePtr clone_alone(const Node& node);  ///< without operands
 
 /// For --dump=types: the tree as indented text, every node with its type and rate, fixed ones with bottom-up and final
 /// sizes.
