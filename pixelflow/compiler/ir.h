@@ -70,14 +70,13 @@ struct Instruction {
     EndLoop,   // back to Loop
     Break,
     Continue,
-    // Control flow by the enable flag. mask: first bit of the construct; alive: bits that E is ANDed with afterwards.
-    IfMasked,  // condition; bits: mask saved enable, mask + 1 pending else (only with an ElseMasked)
+    // Control flow by the enable flag, which enable_masks.h keeps. A Loop with such jumps has mask >= 0, and says
+    // which: masked_breaks, masked_continues.
+    IfMasked,  // condition
     ElseMasked,
     EndIfMasked,
-    BreakMasked,     // bit `mask` := 0, E := 0
-    ContinueMasked,  // the same
-    // A Loop with masked jumps has mask >= 0; bits: mask saved enable, then one for breaks, then one for continues, as
-    // there are any (masked_breaks, masked_continues).
+    BreakMasked,
+    ContinueMasked,
     Lookup,    // d := 3 or 4 bytes of texture uniforms[uniform]; a: two floats s, t, or three of a direction
                // (environment)
     External,  // external function; arguments
@@ -93,7 +92,6 @@ struct Instruction {
   int match = -1;  ///< index of the matching marker: If -> Else or EndIf, Else -> EndIf, Loop <-> EndLoop, jumps,
                    ///< LoopTest, LoopNext -> Loop
   int mask = -1;
-  std::vector<int> alive;
   bool masked_breaks = false, masked_continues = false;
   bool environment = false;
   int stage = 0;  ///< Stage: 1 illum, 2 post-illum
