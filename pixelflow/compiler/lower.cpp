@@ -35,7 +35,7 @@ std::string element_name(const Variable& variable, int element) {
 }  // namespace
 
 Lowering::Lowering(const Tree& tree, const Shader& shader, const LowerOptions& options, Diagnostics& diagnostics)
-    : tree_(tree), shader_(shader), options_(options), diagnostics_(diagnostics) {
+    : Arithmetic(shader, options, diagnostics), tree_(tree) {
   code_.kind = shader.kind;
   code_.name = shader.name;
   code_.where = shader.where;

@@ -1,10 +1,10 @@
 // Quotients and remainders of fixed-point numbers.
 #include <algorithm>
 
-#include "pixelflow/compiler/lowering.h"
+#include "pixelflow/compiler/lower_arithmetic.h"
 
 namespace pfman {
-Term Lowering::fixed_divide(const Term& a, const Term& b, const Scalar& type) {
+Term Arithmetic::fixed_divide(const Term& a, const Term& b, const Scalar& type) {
   const Term x = wrapped(a), y = wrapped(b);
   const int places = type.exponent + y.type.exponent - x.type.exponent;
   const Scalar exact = Scalar::fixed(x.type.is_signed || y.type.is_signed,
@@ -20,7 +20,7 @@ Term Lowering::fixed_divide(const Term& a, const Term& b, const Scalar& type) {
 }
 
 /// floor(a 2^places / b), of which the low `bits` are wanted.
-Term Lowering::scaled_quotient(const Term& a, const Term& b, int places, int bits) {
+Term Arithmetic::scaled_quotient(const Term& a, const Term& b, int places, int bits) {
   const int scale = places / kBitsOfByte, rest = places % kBitsOfByte;
   const bool sign = a.type.is_signed || b.type.is_signed;
   const auto divide = [&](const Term& dividend, int by, int size) {
@@ -42,7 +42,7 @@ Term Lowering::scaled_quotient(const Term& a, const Term& b, int places, int bit
 }
 
 /// floor(a / (b 2^places)), of which the low `bits` are wanted: a floor of a floor.
-Term Lowering::shifted_quotient(const Term& a, const Term& b, int places, int bits) {
+Term Arithmetic::shifted_quotient(const Term& a, const Term& b, int places, int bits) {
   const bool sign = a.type.is_signed || b.type.is_signed;
   const Scalar type = Scalar::fixed(sign, bits, 0);
   const int full = a.type.size + b.type.sign_bits();
@@ -74,7 +74,7 @@ Term Lowering::shifted_quotient(const Term& a, const Term& b, int places, int bi
   return {operate(Code::Sub, Scalar::fixed(true, kMostBits, 0), shifted.at, ones), Scalar::fixed(true, kMostBits, 0)};
 }
 
-Term Lowering::fixed_remainder(const Term& a, const Term& b, const Scalar& type) {
+Term Arithmetic::fixed_remainder(const Term& a, const Term& b, const Scalar& type) {
   const int exponent = std::max(a.type.exponent, b.type.exponent);
   Term p = wrapped(a), q = wrapped(b);
   for (Term* const value : {&p, &q}) {

@@ -1,6 +1,7 @@
-// Instructions one by one, and the places that variables of the tree have in pixel memory.
+// Instructions one by one, trees for the host, and control flow on the host.
+#include "pixelflow/compiler/lower_emit.h"
+
 #include "cmodel/pixelflow/macro.h"
-#include "pixelflow/compiler/lowering.h"
 
 namespace pfman {
 namespace {
@@ -18,15 +19,15 @@ bool is_uniform_operand(const ir::Operand& operand) { return operand.kind == ir:
 
 int bytes_of(int bits) { return (bits + 7) / 8; }
 
-void Lowering::error(const std::string& text) { diagnostics_.add(kTooWide, where_, text); }
+void Emitter::error(const std::string& text) { diagnostics_.add(kTooWide, where_, text); }
 
-void Lowering::too_long(const std::string& limit) {
+void Emitter::too_long(const std::string& limit) {
   if (too_long_) return;
   too_long_ = true;
   diagnostics_.add(kTooLong, shader_.where, "'" + shader_.name + "' is longer than " + limit);
 }
 
-int Lowering::append(ir::Instruction instruction) {
+int Emitter::append(ir::Instruction instruction) {
   if (code_.code.size() >= kMostInstructions) {
     too_long(std::to_string(kMostInstructions) + " operations once its calls are written in place");
   }
@@ -35,7 +36,7 @@ int Lowering::append(ir::Instruction instruction) {
   return static_cast<int>(code_.code.size()) - 1;
 }
 
-int Lowering::add_variable(const std::string& name, const Scalar& scalar, int count, bool temporary) {
+int Emitter::add_variable(const std::string& name, const Scalar& scalar, int count, bool temporary) {
   ir::Variable variable;
   variable.name = name.empty() ? "t" + std::to_string(++temporaries_) : name;
   variable.scalar = scalar;
@@ -46,7 +47,7 @@ int Lowering::add_variable(const std::string& name, const Scalar& scalar, int co
   return static_cast<int>(code_.variables.size()) - 1;
 }
 
-ir::Operand Lowering::whole(int variable, int element) const {
+ir::Operand Emitter::whole(int variable, int element) const {
   const Scalar& scalar = code_.variables[static_cast<std::size_t>(variable)].scalar;
   ir::Operand operand;
   operand.kind = ir::Operand::Kind::Pixel;
@@ -57,20 +58,20 @@ ir::Operand Lowering::whole(int variable, int element) const {
   return operand;
 }
 
-ir::Operand Lowering::constant(std::uint64_t raw, const Scalar& type) {
+ir::Operand Emitter::constant(std::uint64_t raw, const Scalar& type) {
   return uniform_value(make_literal(type, raw, where_)).at;
 }
 
 /// Operations without a number in pixel memory do not exist: where everything is the same in all pixels, one operand
 /// is stored first.
-ir::Operand Lowering::pixel(const ir::Operand& operand) {
+ir::Operand Emitter::pixel(const ir::Operand& operand) {
   if (!is_uniform_operand(operand)) return operand;
   const ir::Operand stored = temporary(code_.uniforms[static_cast<std::size_t>(operand.uniform)]->type.scalar);
   operate_into(stored, Code::Copy, operand);
   return stored;
 }
 
-void Lowering::operate_into(const ir::Operand& d, Code code, ir::Operand a, ir::Operand b, int scale) {
+void Emitter::operate_into(const ir::Operand& d, Code code, ir::Operand a, ir::Operand b, int scale) {
   if (code != Code::Copy && is_uniform_operand(a) && (!b || is_uniform_operand(b))) a = pixel(a);
   ir::Instruction instruction;
   instruction.code = code;
@@ -81,13 +82,13 @@ void Lowering::operate_into(const ir::Operand& d, Code code, ir::Operand a, ir::
   append(std::move(instruction));
 }
 
-ir::Operand Lowering::operate(Code code, const Scalar& type, ir::Operand a, ir::Operand b, int scale) {
+ir::Operand Emitter::operate(Code code, const Scalar& type, ir::Operand a, ir::Operand b, int scale) {
   const ir::Operand d = temporary(type);
   operate_into(d, code, a, b, scale);
   return d;
 }
 
-ir::Operand Lowering::join(Kind kind, const Scalar& type, ir::Operand a, ir::Operand b) {
+ir::Operand Emitter::join(Kind kind, const Scalar& type, ir::Operand a, ir::Operand b) {
   if (is_uniform_operand(a) && is_uniform_operand(b)) a = operate(Code::Copy, type, a);  // in all bytes of the result
   ir::Instruction instruction;
   instruction.kind = kind;
@@ -100,8 +101,8 @@ ir::Operand Lowering::join(Kind kind, const Scalar& type, ir::Operand a, ir::Ope
   return d;
 }
 
-ir::Operand Lowering::select(const ir::Operand& condition, const Scalar& type, const ir::Operand& a,
-                             const ir::Operand& b) {
+ir::Operand Emitter::select(const ir::Operand& condition, const Scalar& type, const ir::Operand& a,
+                            const ir::Operand& b) {
   ir::Instruction instruction;
   instruction.kind = Kind::Select;
   instruction.d = temporary(type);
@@ -114,105 +115,107 @@ ir::Operand Lowering::select(const ir::Operand& condition, const Scalar& type, c
   return d;
 }
 
-NodePtr Lowering::index_tree(const Node& node) {
-  return make_node(Op::Saturate, Scalar::fixed(true, 64, 0), nodes(once(uniform_tree(node))), node.where);
+int Emitter::begin_if(NodePtr condition) {
+  ir::Instruction opening;
+  opening.kind = Kind::If;
+  opening.uniform = add_uniform(std::move(condition));
+  return append(std::move(opening));
 }
 
-/// Elements by an index that is known when the stream is made: they must lie one after another.
-Term Lowering::first_of(const Terms& all, const Scalar& scalar) {
-  bool together = true;
-  for (std::size_t n = 0; n < all.size(); ++n) {
-    const ir::Operand& operand = all[n].at;
-    together = together && operand.kind == ir::Operand::Kind::Pixel && operand.index < 0 &&
-               operand.variable == all[0].at.variable &&
-               operand.offset == all[0].at.offset + static_cast<int>(n) * scalar.bytes();
-  }
-  return together ? all.at(0) : Term{whole(gathered(all, scalar)), scalar};
+int Emitter::begin_else(int opening) {
+  ir::Instruction middle;
+  middle.kind = Kind::Else;
+  return at(opening).match = append(std::move(middle));
 }
 
-/// An index for each dimension becomes one for the whole: looked up in an array of the elements' numbers, so that each
-/// is held to its own dimension.
-NodePtr Lowering::table_lookup(const Node& element, int rows, int columns) {
-  const Scalar number = Scalar::fixed(false, 32, 0);
-  Nodes table;
-  for (int r = 0; r < rows; ++r) {
-    Nodes row;
-    for (int c = 0; c < columns; ++c) {
-      row.push_back(make_literal(number, static_cast<std::uint64_t>(r * columns + c), element.where));
-    }
-    table.push_back(make_array(std::move(row), element.where));
-  }
-  const NodePtr whole_table = make_read(hoist(make_array(std::move(table), element.where)), element.where);
-  const NodePtr row = make_element(*whole_table, *index_tree(*element.operands[0]->operands[1]));
-  return make_element(*row, *index_tree(*element.operands[1]));
+void Emitter::end_if(int opening) {
+  ir::Instruction closing;
+  closing.kind = Kind::EndIf;
+  closing.match = opening;
+  const int end = append(std::move(closing));
+  at(opening).match = end;
 }
 
-/// The scalars of an element, or of a row of a two-dimensional array.
-Terms Lowering::element_of(const Node& node) {
-  const Node& array = *node.operands[0];
-  const bool in_row = array.op == Op::Element;
-  const Node& base = in_row ? *array.operands[0] : array;
-  const Node& first = in_row ? *array.operands[1] : *node.operands[1];
-  const Node* const second = in_row ? node.operands[1].get() : nullptr;
-  const int rows = base.type.dimensions[0], columns = base.type.rank == 2 ? base.type.dimensions[1] : 1;
-  const int count = base.type.rank == 2 && !second ? columns : 1;
-
-  const auto known = [](const Node& index) {
-    const int exponent = index.type.scalar.exponent;
-    return static_cast<int>(exponent >= 0 ? index.raw >> exponent : index.raw << -exponent);
-  };
-  const bool row_known = first.op == Op::Literal, column_known = !second || second->op == Op::Literal;
-  const Terms all = place_of(base);
-  const int before = (row_known ? known(first) * columns : 0) + (second && column_known ? known(*second) : 0);
-  if (row_known && column_known) {
-    if (before < 0 || before + count > static_cast<int>(all.size())) {
-      throw std::logic_error("a constant index out of range");
-    }
-    return Terms(all.begin() + before, all.begin() + before + count);
-  }
-
-  Term element = first_of(all, base.type.scalar);
-  const int bytes = base.type.scalar.bytes();
-  element.at.offset += before * bytes;
-  NodePtr index;
-  if (!row_known && !column_known) {
-    index = table_lookup(node, rows, columns);
-    element.at.elements = rows * columns;
-  } else if (row_known) {
-    index = index_tree(*second);
-    element.at.elements = columns;
-  } else {
-    index = index_tree(first);
-    element.at.elements = (rows - 1) * columns + 1;
-    if (columns > 1) {
-      const Scalar wide = index->type.scalar;
-      NodePtr factor = make_literal(wide, static_cast<std::uint64_t>(columns), where_);
-      index = make_node(Op::Multiply, wide, nodes(std::move(index), std::move(factor)), first.where);
-    }
-  }
-  element.at.index = add_uniform(std::move(index));
-  Terms result;
-  for (int n = 0; n < count; ++n) {
-    result.push_back(element);
-    element.at.offset += bytes;
-  }
-  return result;
+int Emitter::begin_loop() {
+  ir::Instruction loop;
+  loop.kind = Kind::Loop;
+  return append(std::move(loop));
 }
 
-/// The scalars that a variable or an element consists of, as they are declared.
-Terms Lowering::place_of(const Node& node) {
-  if (node.op == Op::Element) return element_of(node);
-  if (node.op != Op::Variable) return lower_node(node);
-  const Binding& bound = binding(*node.variable);
-  if (!bound.values.empty()) return bound.values;
-  const Scalar& scalar = node.variable->type.scalar;
-  Terms values;
-  for (int n = 0; n < node.variable->type.count(); ++n) {
-    const bool together = bound.variables.size() == 1;
-    values.push_back(
-        {together ? whole(bound.variables[0], n) : whole(bound.variables[static_cast<std::size_t>(n)]), scalar});
+void Emitter::end_loop(int loop) {
+  ir::Instruction closing;
+  closing.kind = Kind::EndLoop;
+  closing.match = loop;
+  const int end = append(std::move(closing));
+  at(loop).match = end;
+}
+
+int Emitter::add_uniform(NodePtr tree) {
+  code_.uniforms.push_back(std::move(tree));
+  return static_cast<int>(code_.uniforms.size()) - 1;
+}
+
+Term Emitter::uniform_value(NodePtr tree) {
+  const Scalar type = tree->type.scalar;
+  Term value;
+  value.type = type;
+  value.at.kind = ir::Operand::Kind::Uniform;
+  value.at.is_signed = type.is_signed;
+  value.at.bytes = type.bytes();
+  value.at.uniform = add_uniform(std::move(tree));
+  return value;
+}
+
+NodePtr Emitter::tree_of(const Term& value) const {
+  return clone(*code_.uniforms[static_cast<std::size_t>(value.at.uniform)]);
+}
+
+Terms Emitter::elements_of(Variable* variable) {
+  const NodePtr all = make_read(variable, where_);
+  if (!variable->type.is_array()) return {uniform_value(clone(*all))};
+  const int columns = variable->type.dimensions[1];
+  Terms elements;
+  for (int n = 0; n < variable->type.count(); ++n) {
+    const bool rows = variable->type.rank == 2;
+    elements.push_back(
+        uniform_value(rows ? make_element(*make_element(*all, n / columns), n % columns) : make_element(*all, n)));
   }
-  return values;
+  return elements;
+}
+
+Variable* Emitter::hidden(const Type& type) {
+  auto variable = std::make_unique<Variable>();
+  variable->name = "u" + std::to_string(code_.uniform_variables.size() + 1);
+  variable->type = type;
+  variable->type.varying = false;
+  variable->role = Variable::Role::Hidden;
+  variable->where = where_;
+  code_.uniform_variables.push_back(std::move(variable));
+  return code_.uniform_variables.back().get();
+}
+
+void Emitter::evaluate(NodePtr tree) {
+  ir::Instruction instruction;
+  instruction.kind = Kind::Uniform;
+  instruction.uniform = add_uniform(std::move(tree));
+  append(std::move(instruction));
+}
+
+void Emitter::assign(Variable* variable, NodePtr value) {
+  const Location where = value->where;
+  evaluate(make_assign(make_read(variable, where), std::move(value), where));
+}
+
+Variable* Emitter::hoist(NodePtr tree) {
+  Variable* const variable = hidden(tree->type);
+  assign(variable, std::move(tree));
+  return variable;
+}
+
+NodePtr Emitter::once(NodePtr tree) {
+  if (is_pure(*tree)) return tree;
+  const Location where = tree->where;
+  return make_read(hoist(std::move(tree)), where);
 }
 
 }  // namespace pfman

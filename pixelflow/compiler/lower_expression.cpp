@@ -6,6 +6,7 @@
 #include "pixelflow/compiler/lowering.h"
 
 namespace pfman {
+
 Terms Lowering::lower_node(const Node& node) {
   const Location before = where_;
   where_ = node.where;
@@ -142,11 +143,6 @@ Term Lowering::lower_binary(const Node& node, const Term& a, const Term& b) {
   }
 }
 
-Term Lowering::convert(const Term& value, const Scalar& to, bool saturate) {
-  if (value.type.is_float) return to_fixed(value, to);
-  return saturate ? fixed_saturate(value, to) : fixed_convert(value, to);
-}
-
 /// Both ways are computed; a uniform condition chooses on the host.
 Terms Lowering::lower_select(const Node& node) {
   const Node& test = *node.operands[0];
@@ -219,11 +215,44 @@ void Lowering::store(const Node& target, const Terms& values) {
   for (std::size_t n = 0; n < places.size(); ++n) store(places[n], values[values.size() > 1 ? n : 0]);
 }
 
-void Lowering::store(const Term& target, const Term& value) {
-  if (target.type.is_float) return operate_into(target.at, Code::Copy, value.at);
-  const Term ready = reduced(aligned(value, target.type.exponent, target.type.size), target.type);
-  if (ready.exact) return operate_into(target.at, Code::Copy, ready.at);
-  operate_into(target.at, Code::Wrap, ready.at, {}, target.type.size);
+/// A literal count moves the point and no bit. Any other is known when the stream is made.
+Term Lowering::fixed_shift(const Node& node, const Term& value) {
+  const bool left = node.op == Op::ShiftLeft;
+  const Node& places = *node.operands[1];
+  const Scalar& type = node.type.scalar;
+  if (places.op == Op::Literal) {
+    const int exponent = places.type.scalar.exponent;
+    const auto count = static_cast<int>(exponent >= 0 ? places.raw >> exponent : places.raw << -exponent);
+    Term moved = value;
+    if (value.at.kind == ir::Operand::Kind::Uniform) moved.at = pixel(value.at);
+    moved.type.exponent += left ? -count : count;
+    return finished(moved, type);
+  }
+  Term known = wrapped(at_least(value, type.exponent));
+  const Scalar held = Scalar::fixed(known.type.is_signed, type.size, known.type.exponent);
+  // The factor's evaluation is what refuses counts that are not between 0 and 64.
+  const Scalar wide = Scalar::fixed(false, kMostBits, 0);
+  Variable* const count = hoist(index_tree(places));
+  NodePtr factor =
+      make_node(Op::ShiftLeft, wide, nodes(make_literal(wide, 1, where_), make_read(count, places.where)), where_);
+  if (left) {
+    const Term multiplier = uniform_value(std::move(factor));
+    const Term shifted{operate(Code::Multiply, held, known.at, multiplier.at), held};
+    return finished(with_type(shifted, held), type);
+  }
+  hoist(std::move(factor));
+  // Binary digit by digit of the count: only the shifts that it has are in the stream.
+  const ir::Operand at = operate(Code::Copy, known.type, known.at);
+  for (int digit = 0; digit <= 6; ++digit) {
+    const auto literal = [&](std::uint64_t raw) { return make_literal(count->type.scalar, raw, places.where); };
+    NodePtr bit = make_node(Op::BitAnd, count->type.scalar,
+                            nodes(make_read(count, places.where), literal(std::uint64_t{1} << digit)), places.where);
+    const int opening =
+        begin_if(make_node(Op::NotEqual, Scalar::boolean(), nodes(std::move(bit), literal(0)), places.where));
+    operate_into(at, Code::ShiftRight, at, {}, 1 << digit);
+    end_if(opening);
+  }
+  return finished({at, known.type}, type);
 }
 
 }  // namespace pfman

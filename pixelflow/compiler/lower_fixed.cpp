@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "pixelflow/compiler/lowering.h"
+#include "pixelflow/compiler/lower_arithmetic.h"
 
 namespace pfman {
 namespace {
@@ -39,7 +39,7 @@ Scalar contents_of(const Term& value) {
 
 /// The bytes at `value.at` are known in their low type.size bits. Exact if it has no others: where type.size is in
 /// whole bytes, fewer are read.
-Term Lowering::with_type(const Term& value, const Scalar& type) {
+Term Arithmetic::with_type(const Term& value, const Scalar& type) {
   Term result = value;
   result.type = type;
   result.exact = false;
@@ -51,7 +51,7 @@ Term Lowering::with_type(const Term& value, const Scalar& type) {
   return result;
 }
 
-Term Lowering::wrapped(const Term& value) {
+Term Arithmetic::wrapped(const Term& value) {
   if (value.exact || value.type.is_float) return value;
   const Scalar& type = value.type;
   const bool whole_bytes = type.size % kBitsOfByte == 0;
@@ -60,12 +60,12 @@ Term Lowering::wrapped(const Term& value) {
   return {at, type};
 }
 
-Term Lowering::needed(const Term& value, int bits) {
+Term Arithmetic::needed(const Term& value, int bits) {
   return value.exact || value.type.size >= bits ? value : wrapped(value);
 }
 
 /// To the same exponent's type, modulo its size.
-Term Lowering::reduced(const Term& value, const Scalar& type) {
+Term Arithmetic::reduced(const Term& value, const Scalar& type) {
   if (value.exact && fits(value.type, type)) return value;
   if (is_uniform_value(value)) return uniform_value(converted_tree(tree_of(value), type));
   const Term known = needed(value, type.size);
@@ -74,7 +74,7 @@ Term Lowering::reduced(const Term& value, const Scalar& type) {
 }
 
 /// What an operator has computed becomes the node's number: floored to its exponent, reduced to its size.
-Term Lowering::finished(const Term& value, const Scalar& type) {
+Term Arithmetic::finished(const Term& value, const Scalar& type) {
   Term result = value;
   if (value.type.exponent > type.exponent) {
     result = shifted_right(value, value.type.exponent - type.exponent, type.size);
@@ -85,7 +85,7 @@ Term Lowering::finished(const Term& value, const Scalar& type) {
 }
 
 /// value 2^places, of which the low `bits` are wanted, at an exponent that leaves its meaning.
-Term Lowering::shifted_left(const Term& value, int places, int bits) {
+Term Arithmetic::shifted_left(const Term& value, int places, int bits) {
   if (places == 0) return value;
   const Scalar full = Scalar::fixed(value.type.is_signed, value.type.size + places, value.type.exponent + places);
   if (is_uniform_value(value)) {
@@ -106,7 +106,7 @@ Term Lowering::shifted_left(const Term& value, int places, int bits) {
 }
 
 /// floor(value / 2^places), of which the low `bits` are wanted.
-Term Lowering::shifted_right(const Term& value, int places, int bits) {
+Term Arithmetic::shifted_right(const Term& value, int places, int bits) {
   if (places == 0) return value;
   const int exponent = value.type.exponent - places;
   if (is_uniform_value(value)) {
@@ -133,18 +133,18 @@ Term Lowering::shifted_right(const Term& value, int places, int bits) {
   return known.exact ? result : with_type(result, result.type);
 }
 
-Term Lowering::aligned(const Term& value, int exponent, int bits) {
+Term Arithmetic::aligned(const Term& value, int exponent, int bits) {
   const int places = exponent - value.type.exponent;
   return places >= 0 ? shifted_left(value, places, bits) : shifted_right(value, -places, bits);
 }
 
 /// With all the bits behind the point that it should have: a product by a power of two moves the point, not the bits.
-Term Lowering::at_least(const Term& value, int exponent) {
+Term Arithmetic::at_least(const Term& value, int exponent) {
   return value.type.exponent < exponent ? aligned(value, exponent, kMostBits) : value;
 }
 
 /// In a number of so many bytes, for operations byte by byte.
-Term Lowering::extended(const Term& value, int bytes) {
+Term Arithmetic::extended(const Term& value, int bytes) {
   Term result = value;
   if (value.at.bytes < bytes && !is_uniform_value(value)) {
     const Scalar type = Scalar::fixed(value.at.is_signed, kBitsOfByte * bytes, value.type.exponent);
@@ -154,12 +154,12 @@ Term Lowering::extended(const Term& value, int bytes) {
   return result;
 }
 
-Term Lowering::fixed_convert(const Term& value, const Scalar& to) {
+Term Arithmetic::fixed_convert(const Term& value, const Scalar& to) {
   if (to == Scalar::boolean()) return nonzero(value);
   return reduced(aligned(value, to.exponent, to.size), to);
 }
 
-Term Lowering::nonzero(const Term& value) {
+Term Arithmetic::nonzero(const Term& value) {
   const Term known = wrapped(value);
   const Scalar boolean = Scalar::boolean();
   if (!known.type.is_signed && known.type.size == 1) return {known.at, boolean};
@@ -174,7 +174,7 @@ Term Lowering::nonzero(const Term& value) {
   return logical_not({d, boolean});
 }
 
-Term Lowering::fixed_saturate(const Term& value, const Scalar& to) {
+Term Arithmetic::fixed_saturate(const Term& value, const Scalar& to) {
   Term known = wrapped(value);
   const int places = to.exponent - known.type.exponent;
   if (places <= 0 || known.type.size + places <= kMostBits) {
@@ -203,7 +203,7 @@ Term Lowering::fixed_saturate(const Term& value, const Scalar& to) {
   return {at, to};
 }
 
-Term Lowering::fixed_add(const Term& a, const Term& b, bool subtract, const Scalar& type) {
+Term Arithmetic::fixed_add(const Term& a, const Term& b, bool subtract, const Scalar& type) {
   const int exponent = std::max(a.type.exponent, b.type.exponent);
   const Scalar p = at_exponent(a.type, exponent), q = at_exponent(b.type, exponent);
   const bool any_sign = p.is_signed || q.is_signed, sign = subtract || any_sign;
@@ -218,7 +218,7 @@ Term Lowering::fixed_add(const Term& a, const Term& b, bool subtract, const Scal
   return finished(whole ? sum : with_type(sum, held), type);
 }
 
-Term Lowering::fixed_bitwise(Op op, const Term& a, const Term& b, const Scalar& type) {
+Term Arithmetic::fixed_bitwise(Op op, const Term& a, const Term& b, const Scalar& type) {
   const int exponent = std::max(a.type.exponent, b.type.exponent);
   const Scalar most = at_exponent(type, exponent);
   const Scalar p = at_exponent(a.type, exponent), q = at_exponent(b.type, exponent);
@@ -236,7 +236,7 @@ Term Lowering::fixed_bitwise(Op op, const Term& a, const Term& b, const Scalar& 
 }
 
 /// Of an unsigned number only its own bits change.
-Term Lowering::fixed_complement(const Term& value, const Scalar& type) {
+Term Arithmetic::fixed_complement(const Term& value, const Scalar& type) {
   if (value.type.exponent < type.exponent) return fixed_complement(at_least(value, type.exponent), type);
   const Scalar held = at_exponent(type, value.type.exponent);
   const Term known = extended(needed(value, held.size), held.bytes());

@@ -1,7 +1,7 @@
 // Floats: conversions, signs, rounding to integers, remainders. The one NaN is 0x7FC00000 and stays it.
 #include <algorithm>
 
-#include "pixelflow/compiler/lowering.h"
+#include "pixelflow/compiler/lower_arithmetic.h"
 
 namespace pfman {
 namespace {
@@ -15,7 +15,7 @@ constexpr std::uint64_t kTopOfWholeNumbers = 0x4B;  ///< top byte of 2^23, from 
 
 }  // namespace
 
-Term Lowering::to_float(const Term& value) {
+Term Arithmetic::to_float(const Term& value) {
   if (value.type.is_float) return value;
   const Scalar type = Scalar::floating();
   Term known = wrapped(value);
@@ -41,18 +41,18 @@ Term Lowering::to_float(const Term& value) {
   return times(kNormalPower, exponent - dropped + kNormalPower);
 }
 
-Term Lowering::to_fixed(const Term& value, const Scalar& to) {
+Term Arithmetic::to_fixed(const Term& value, const Scalar& to) {
   const ir::Operand d = operate(Code::FloatToFixed, to, value.at, {}, to.exponent);
   if (to.size == 8 * to.bytes()) return {d, to};
   return {operate(Code::Saturate, to, d, {}, to.size), to};
 }
 
-Term Lowering::float_binary(Code code, const Term& a, const Term& b) {
+Term Arithmetic::float_binary(Code code, const Term& a, const Term& b) {
   return {operate(code, Scalar::floating(), a.at, b.at), Scalar::floating()};
 }
 
 /// Another sign bit, but for NaN, which the upper two bytes tell.
-Term Lowering::float_negate(const Term& value) {
+Term Arithmetic::float_negate(const Term& value) {
   const Scalar type = Scalar::floating();
   const ir::Operand own = pixel(value.at);
   const ir::Operand other = join(Kind::Xor, type, own, constant(kSign, type));
@@ -65,13 +65,13 @@ Term Lowering::float_negate(const Term& value) {
   return {select(test, type, own, other), type};
 }
 
-Term Lowering::float_abs(const Term& value) {
+Term Arithmetic::float_abs(const Term& value) {
   const Scalar type = Scalar::floating();
   return {join(Kind::And, type, pixel(value.at), constant(kSign - 1, type)), type};
 }
 
 /// By way of an integer of 24 bits; numbers from 2^23 on, infinities and NaN are what they are.
-Term Lowering::float_round(Op op, const Term& value) {
+Term Arithmetic::float_round(Op op, const Term& value) {
   const Scalar type = Scalar::floating(), integer = Scalar::fixed(true, 24, 0), wide = Scalar::fixed(true, 25, 0);
   Term x{pixel(value.at), type};
   if (op == Op::Round) x = float_binary(Code::FloatAdd, x, {constant(kHalf, type), type});
@@ -95,7 +95,7 @@ Term Lowering::float_round(Op op, const Term& value) {
 }
 
 /// a - b floor(a / b), each step rounded.
-Term Lowering::float_remainder(const Term& a, const Term& b) {
+Term Arithmetic::float_remainder(const Term& a, const Term& b) {
   const Term quotient = float_round(Op::Floor, float_binary(Code::FloatDivide, a, b));
   return float_binary(Code::FloatSub, a, float_binary(Code::FloatMultiply, b, quotient));
 }

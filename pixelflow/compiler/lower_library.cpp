@@ -13,15 +13,6 @@ constexpr std::uint64_t kFloatOne = 0x3F800000, kFloatHalf = 0x3F000000;
 
 }  // namespace
 
-int Lowering::gathered(const Terms& values, const Scalar& type, int count) {
-  const int most = std::max(static_cast<int>(values.size()), count);
-  const int variable = add_variable({}, type, most, true);
-  for (int n = 0; n < most; ++n) {
-    store({whole(variable, n), type}, values[values.size() > 1 ? static_cast<std::size_t>(n) : 0]);
-  }
-  return variable;
-}
-
 Term Lowering::lower_noise(const Node& node) {
   Terms point;
   for (const NodePtr& operand : node.operands) {

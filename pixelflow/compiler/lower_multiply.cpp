@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "pixelflow/compiler/lowering.h"
+#include "pixelflow/compiler/lower_arithmetic.h"
 
 namespace pfman {
 namespace {
@@ -12,14 +12,14 @@ constexpr int kMostScale = 8;
 }  // namespace
 
 /// The power of two that a literal's raw number is, or -1.
-int Lowering::power_of_two(const Term& value) const {
+int Arithmetic::power_of_two(const Term& value) const {
   if (value.at.kind != ir::Operand::Kind::Uniform) return -1;
   const Node& tree = *code_.uniforms[static_cast<std::size_t>(value.at.uniform)];
   const bool negative = value.type.is_signed && tree.raw >> (kMostBits - 1);
   return tree.op == Op::Literal && !negative && std::has_single_bit(tree.raw) ? std::countr_zero(tree.raw) : -1;
 }
 
-Term Lowering::fixed_multiply(const Term& a, const Term& b, const Scalar& type) {
+Term Arithmetic::fixed_multiply(const Term& a, const Term& b, const Scalar& type) {
   const bool both_uniform = a.at.kind == ir::Operand::Kind::Uniform && b.at.kind == ir::Operand::Kind::Uniform;
   if (power_of_two(a) >= 0 && !both_uniform) return fixed_multiply(b, a, type);
   const int power = power_of_two(b);
@@ -40,7 +40,7 @@ Term Lowering::fixed_multiply(const Term& a, const Term& b, const Scalar& type) 
 }
 
 /// floor(a b / 2^places), of which the low `bits` are wanted. `full` is the product's type.
-Term Lowering::product(const Term& a, const Term& b, int places, const Scalar& full, int bits) {
+Term Arithmetic::product(const Term& a, const Term& b, int places, const Scalar& full, int bits) {
   const bool exact = a.exact && b.exact;
   const bool by_bytes = options_.fuse || full.size > kMostBits;
   const int scale = by_bytes ? std::min(places / kBitsOfByte, kMostScale) : 0;
@@ -69,7 +69,7 @@ Term Lowering::product(const Term& a, const Term& b, int places, const Scalar& f
 
 /// upper 2^(8 - places) + lower / 2^places: the shift right by `places` of a number of 9 bytes, of which `upper` are
 /// all but the last.
-Term Lowering::joined(const ir::Operand& upper, const ir::Operand& lower, int places, const Scalar& type) {
+Term Arithmetic::joined(const ir::Operand& upper, const ir::Operand& lower, int places, const Scalar& type) {
   const Scalar low = Scalar::fixed(false, kBitsOfByte - places, 0);
   const ir::Operand high = operate(Code::ShiftLeft, type, upper, {}, kBitsOfByte - places);
   const ir::Operand rest = operate(Code::ShiftRight, low, lower, {}, places);

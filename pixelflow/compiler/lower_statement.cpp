@@ -43,27 +43,6 @@ void Lowering::take_bits(int count) {
   code_.mask_bits = std::max(code_.mask_bits, mask_bits_);
 }
 
-int Lowering::begin_if(NodePtr condition) {
-  ir::Instruction opening;
-  opening.kind = Kind::If;
-  opening.uniform = add_uniform(std::move(condition));
-  return append(std::move(opening));
-}
-
-int Lowering::begin_else(int opening) {
-  ir::Instruction middle;
-  middle.kind = Kind::Else;
-  return at(opening).match = append(std::move(middle));
-}
-
-void Lowering::end_if(int opening) {
-  ir::Instruction closing;
-  closing.kind = Kind::EndIf;
-  closing.match = opening;
-  const int end = append(std::move(closing));
-  at(opening).match = end;
-}
-
 void Lowering::lower_if(const Statement& statement) {
   const Node& test = *statement.expression;
   const bool has_else = statement.body.size() > 1;
@@ -103,20 +82,6 @@ void Lowering::lower_if(const Statement& statement) {
   const int end = append(std::move(closing));
   at(opening).match = end;
   mask_bits_ -= bits;
-}
-
-int Lowering::begin_loop() {
-  ir::Instruction loop;
-  loop.kind = Kind::Loop;
-  return append(std::move(loop));
-}
-
-void Lowering::end_loop(int loop) {
-  ir::Instruction closing;
-  closing.kind = Kind::EndLoop;
-  closing.match = loop;
-  const int end = append(std::move(closing));
-  at(loop).match = end;
 }
 
 void Lowering::test_loop(const Statement& statement, int loop) {

@@ -27,26 +27,6 @@ bool is_uniform(const Node& node) {
   }
 }
 
-int Lowering::add_uniform(NodePtr tree) {
-  code_.uniforms.push_back(std::move(tree));
-  return static_cast<int>(code_.uniforms.size()) - 1;
-}
-
-Term Lowering::uniform_value(NodePtr tree) {
-  const Scalar type = tree->type.scalar;
-  Term value;
-  value.type = type;
-  value.at.kind = ir::Operand::Kind::Uniform;
-  value.at.is_signed = type.is_signed;
-  value.at.bytes = type.bytes();
-  value.at.uniform = add_uniform(std::move(tree));
-  return value;
-}
-
-NodePtr Lowering::tree_of(const Term& value) const {
-  return clone(*code_.uniforms[static_cast<std::size_t>(value.at.uniform)]);
-}
-
 Terms Lowering::uniform_values(const Node& node) {
   if (!node.type.is_array()) {
     return {uniform_value(once(uniform_tree(node)))};
@@ -64,54 +44,6 @@ Terms Lowering::uniform_values(const Node& node) {
     return elements_of(hoist(std::move(tree)));
   }
   return elements_of(tree->variable);
-}
-
-Terms Lowering::elements_of(Variable* variable) {
-  const NodePtr all = make_read(variable, where_);
-  if (!variable->type.is_array()) return {uniform_value(clone(*all))};
-  const int columns = variable->type.dimensions[1];
-  Terms elements;
-  for (int n = 0; n < variable->type.count(); ++n) {
-    const bool rows = variable->type.rank == 2;
-    elements.push_back(
-        uniform_value(rows ? make_element(*make_element(*all, n / columns), n % columns) : make_element(*all, n)));
-  }
-  return elements;
-}
-
-Variable* Lowering::hidden(const Type& type) {
-  auto variable = std::make_unique<Variable>();
-  variable->name = "u" + std::to_string(code_.uniform_variables.size() + 1);
-  variable->type = type;
-  variable->type.varying = false;
-  variable->role = Variable::Role::Hidden;
-  variable->where = where_;
-  code_.uniform_variables.push_back(std::move(variable));
-  return code_.uniform_variables.back().get();
-}
-
-void Lowering::evaluate(NodePtr tree) {
-  ir::Instruction instruction;
-  instruction.kind = Kind::Uniform;
-  instruction.uniform = add_uniform(std::move(tree));
-  append(std::move(instruction));
-}
-
-void Lowering::assign(Variable* variable, NodePtr value) {
-  const Location where = value->where;
-  evaluate(make_assign(make_read(variable, where), std::move(value), where));
-}
-
-Variable* Lowering::hoist(NodePtr tree) {
-  Variable* const variable = hidden(tree->type);
-  assign(variable, std::move(tree));
-  return variable;
-}
-
-NodePtr Lowering::once(NodePtr tree) {
-  if (is_pure(*tree)) return tree;
-  const Location where = tree->where;
-  return make_read(hoist(std::move(tree)), where);
 }
 
 /// A variable of the shader is itself; of a function, each call has its own.
