@@ -256,7 +256,8 @@ Value Machine::evaluate_conditional(const Node& node) {
   };
   if (node.operands[0]->uniform) return branch(chosen.raw[0] != 0 ? 1 : 2);
   const Value first = branch(1), second = branch(2);
-  Value value(chosen.lanes, node.shape.count());
+  // A varying condition of uniform branches may have come out as one value for all lanes.
+  Value value(std::max({chosen.lanes, first.lanes, second.lanes}), node.shape.count());
   for (int element = 0; element < value.elements(); ++element) {
     for (int lane = 0; lane < value.lanes; ++lane) {
       value.to(element, lane) = chosen.at(0, lane) != 0 ? first.at(element, lane) : second.at(element, lane);
