@@ -127,7 +127,7 @@ NodePtr make_convert(NodePtr node, const Scalar& to) {
     const bool truth = to == Scalar::boolean() && !from.is_float;
     return make_literal(to, truth ? std::uint64_t{node->raw != 0} : convert(node->raw, from, to), node->where);
   }
-  const bool leaf = to.is_float || node->op == Op::Variable || node->op == Op::Element;
+  const bool leaf = to.is_float || to == Scalar::boolean() || node->op == Op::Variable || node->op == Op::Element;
   if (leaf && from == to) return node;
   const Location where = node->where;
   return make_node(Op::Convert, to, nodes(std::move(node)), where);
@@ -178,7 +178,24 @@ bool elements_follow(const Node& node, const Node& index) {
 
 }  // namespace
 
-bool has_elements(const Node& array, const Node& index) { return is_pure(array) && elements_follow(array, index); }
+namespace {
+
+/// Assigns hidden variables at most.
+bool has_no_effects(const Node& node) {
+  if (node.op == Op::Postfix || node.op == Op::Call) return false;
+  if (node.op == Op::Assign &&
+      (node.operands[0]->op != Op::Variable || node.operands[0]->variable->role != Variable::Role::Hidden)) {
+    return false;
+  }
+  return std::all_of(node.operands.begin(), node.operands.end(),
+                     [](const NodePtr& part) { return has_no_effects(*part); });
+}
+
+}  // namespace
+
+bool has_elements(const Node& array, const Node& index) {
+  return has_no_effects(array) && elements_follow(array, index);
+}
 
 NodePtr make_element(const Node& array, const Node& index) {
   switch (array.op) {

@@ -35,7 +35,8 @@ NodePtr make_sequence(Nodes before, NodePtr value, Location where);
 NodePtr make_convert(NodePtr node, const Scalar& to);
 NodePtr to_float(NodePtr node);
 
-/// Whether the elements of a pure expression are expressions of its operands' elements.
+/// Whether the elements of an expression without effects are expressions of its operands' elements. One that is_pure()
+/// may be asked for several elements, others assign hidden variables each time.
 bool has_elements(const Node& array, const Node& index);
 /// Element of an array that has_elements(): of an operation, the operation on the operands' elements.
 NodePtr make_element(const Node& array, const Node& index);

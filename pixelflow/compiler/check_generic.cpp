@@ -25,8 +25,8 @@ NodePtr Checker::reuse(NodePtr node, Nodes& before) {
 /// An argument of which each element is used once. Arrays of floats are calculated an element at a time, so that they
 /// need not be stored whole; fixed ones keep every bit.
 NodePtr Checker::by_elements(NodePtr node, Nodes& before) {
-  const bool apart =
-      node->type.is_array() && node->exact.is_float && has_elements(*node, *make_integer(0, node->where));
+  const bool apart = node->type.is_array() && node->exact.is_float && is_pure(*node) &&
+                     has_elements(*node, *make_integer(0, node->where));
   return apart ? std::move(node) : reuse(std::move(node), before);
 }
 

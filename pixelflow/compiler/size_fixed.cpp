@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "pixelflow/compiler/check.h"
+#include "pixelflow/compiler/host.h"
 #include "pixelflow/compiler/host_numbers.h"
 
 namespace pfman {
@@ -46,6 +47,12 @@ const char* named(Op op) {
 
 NodePtr aligned(NodePtr node, const Scalar& scalar) {
   if (node->type.scalar == scalar) return node;
+  if (node->op == Op::Literal) {
+    node->raw = convert(node->raw, node->type.scalar, scalar);
+    node->type.scalar = scalar;
+    node->exact = scalar;
+    return node;
+  }
   auto conversion = std::make_unique<Node>();
   conversion->op = Op::Convert;
   conversion->where = node->where;

@@ -4,6 +4,7 @@
 
 #include "pixelflow/compiler/host.h"
 #include "pixelflow/compiler/tree.h"
+#include "pixelflow/microcode/library.h"
 
 namespace pfman {
 namespace {
@@ -39,7 +40,7 @@ class TreeText {
     if (node.op == Node::Op::Literal) text += " " + number(node);
     if (node.variable != nullptr) text += " " + named(*node.variable);
     if (node.function != nullptr) text += " " + node.function->name;
-    if (node.op == Node::Op::Math) text += " code " + std::to_string(static_cast<int>(node.math));
+    if (node.op == Node::Op::Math) text += std::string(" ") + pixelflow::name(node.math);
     text += " : ";
     if (node.type.is_void) {
       text += "void";
