@@ -40,7 +40,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (pfman::dump(compiled->syntax).empty() && !compiled->syntax.definitions.empty()) std::abort();
   if (diagnostics.has_errors()) return 0;
   for (const auto& shader : compiled->shaders) {
-    if (shader.map.peak_bytes > pfman::kSharedAt) std::abort();
+    if (shader.map.peak_bytes > pfman::kSharedAt - pfman::kParametersAt) std::abort();
   }
   return 0;
 }
