@@ -66,19 +66,21 @@ TextureMemory::Texture make(int size, const std::function<Color(double, double)>
 
 /// What is seen from the lake in a direction.
 Color surroundings(double x, double y, double z) {
-  constexpr Color kZenith{0.16, 0.34, 0.66}, kHorizon{0.93, 0.80, 0.66}, kCloud{1.0, 0.97, 0.93};
+  constexpr Color kZenith{0.12, 0.32, 0.70}, kHorizon{0.93, 0.80, 0.66}, kCloud{1.0, 0.98, 0.95},
+      kShadow{0.58, 0.62, 0.70};
   constexpr Color kHill{0.20, 0.26, 0.24}, kShore{0.10, 0.12, 0.10}, kSun{1.0, 0.93, 0.74};
-  constexpr Color kTowardsSun{0.32, 0.45, -0.835};
+  constexpr Color kTowardsSun{0.25, 0.48, 0.84};
   const double up = std::max(y, 0.0);
   Color color = mix(kHorizon, kZenith, smooth(-0.05, 0.55, up));
   const double sun = x * kTowardsSun[0] + y * kTowardsSun[1] + z * kTowardsSun[2];
   // Clouds hang in a plane above, so that they grow smaller towards the horizon.
   if (y > 0.02) {
-    const double scale = 1.6 / (y + 0.12);
+    const double scale = 3.4 / (y + 0.15);
     const double cloud = fractal(x * scale + 7, z * scale + 3, 1 << 20, 6);
-    color = mix(color, kCloud, smooth(0.47, 0.68, cloud) * smooth(0.02, 0.25, y));
+    const Color lit = mix(kCloud, kShadow, smooth(0.55, 0.78, fractal(x * scale + 7.4, z * scale + 3.3, 1 << 20, 5)));
+    color = mix(color, lit, smooth(0.48, 0.66, cloud) * smooth(0.02, 0.25, y));
   }
-  color = mix(color, kSun, 0.6 * smooth(0.80, 1.0, sun) + smooth(0.988, 0.994, sun));
+  color = mix(color, kSun, 0.45 * smooth(0.88, 1.0, sun) + smooth(0.9945, 0.997, sun));
   // Hills all around, by the angle about the vertical axis, measured without trigonometry.
   const double flat = std::sqrt(x * x + z * z);
   const double around = flat > 0 ? (x > 0 ? 1 - z / flat : 3 + z / flat) : 0;
