@@ -34,7 +34,7 @@ NodePtr Checker::place(const ast::Expression& expression, Nodes& before) {
   }
   NodePtr index = index_of(array->type, *expression.operands[1]);
   if (!index) return nullptr;
-  if (!is_pure(*index)) index = reuse(std::move(index), before);
+  if (!is_pure(*index)) index = write_.reuse(std::move(index), before);
   return make_element(*array, *index);
 }
 

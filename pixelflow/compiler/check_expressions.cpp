@@ -82,8 +82,8 @@ Value Checker::index(const ast::Expression& expression) {
   if (!index) return {};
   if (array->op == Op::Variable || array->op == Op::Element) return Value::typed(make_element(*array, *index));
   Nodes before;
-  if (!is_plain(*index)) index = reuse(std::move(index), before);
-  if (!has_elements(*array, *index)) array = keep(std::move(array), before);
+  if (!is_plain(*index)) index = write_.reuse(std::move(index), before);
+  if (!has_elements(*array, *index)) array = write_.keep(std::move(array), before);
   return Value::typed(make_sequence(std::move(before), make_element(*array, *index), expression.where));
 }
 

@@ -26,8 +26,8 @@ void Checker::constants(const std::vector<ast::Declarator>& declarators, Nodes& 
     if (!type || value.mistake()) continue;
     if (!value.type().same_shape(*type)) {
       error(203, declarator.where,
-            "cannot initialise '" + declarator.name + "' of type '" + spelling(*type) + "' with '" +
-                value.spelled() + "'");
+            "cannot initialise '" + declarator.name + "' of type '" + spelling(*type) + "' with '" + value.spelled() +
+                "'");
       continue;
     }
     NodePtr initial = convert_to(std::move(value), type->scalar);

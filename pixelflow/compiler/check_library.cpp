@@ -199,7 +199,7 @@ Value Checker::library(const std::string& name, Values arguments, Location where
   } else {
     settle_together(std::move(arguments), typed);
   }
-  return Value::typed(generic(name, std::move(typed), where));
+  return Value::typed(write_.generic(name, std::move(typed), where));
 }
 
 Value Checker::functions_of_floats(const std::string& name, Values arguments, Location where) {
@@ -209,7 +209,7 @@ Value Checker::functions_of_floats(const std::string& name, Values arguments, Lo
     if (!floats.back()) return {};
   }
   const Entry& entry = *find_entry(name);
-  if (entry.family == Family::Smooth) return Value::typed(smoothstep(std::move(floats), where));
+  if (entry.family == Family::Smooth) return Value::typed(write_.smoothstep(std::move(floats), where));
   if (entry.code != Code::Count) return Value::typed(make_math(entry.code, std::move(floats), where));
   const double factor = name == "radians" ? 0.017453292519943295 : 57.29577951308232;
   return Value::typed(make_operation(Op::Multiply, nodes(std::move(floats[0]), make_float(factor, where)), where));

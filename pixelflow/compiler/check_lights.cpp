@@ -39,16 +39,6 @@ NodePtr zeros(const Scalar& scalar, Location where) {
   return make_array(std::move(elements), where);
 }
 
-/// Products of plain vectors, added from left to right.
-NodePtr dot(const Node& a, const Node& b, Location where) {
-  NodePtr sum;
-  for (int n = 0; n < a.type.dimensions[0]; ++n) {
-    NodePtr product = make_operation(Op::Multiply, nodes(make_element(a, n), make_element(b, n)), where);
-    sum = sum ? make_operation(Op::Add, nodes(std::move(sum), std::move(product)), where) : std::move(product);
-  }
-  return sum;
-}
-
 }  // namespace
 
 /// A variable of the communication area.
@@ -130,10 +120,10 @@ void Checker::illuminance(const ast::Statement& statement, Statements& out, bool
     NodePtr angle = float_of(*given[2], 0, "the angle of a cone");
     if (axis && angle) {
       Nodes before;
-      const NodePtr along = keep(normalized(std::move(axis), before), before);
+      const NodePtr along = write_.keep(write_.normalized(std::move(axis), before), before);
       const NodePtr direction = to_float(make_read(communicated("px_light_direction"), given[1]->where));
       NodePtr cosine = make_math(pixelflow::Code::Cos, nodes(std::move(angle)), given[2]->where);
-      inside = make_operation(Op::LessEqual, nodes(std::move(cosine), dot(*along, *direction, given[1]->where)),
+      inside = make_operation(Op::LessEqual, nodes(std::move(cosine), make_dot(*along, *direction, given[1]->where)),
                               given[1]->where);
       inside = make_sequence(std::move(before), std::move(inside), given[1]->where);
     }
@@ -198,7 +188,7 @@ void Checker::light_source(const ast::Statement& statement, Statements& out, boo
              make_operation(Op::Subtract, nodes(make_read(surface_point(), where), std::move(position)), where));
     }
     const NodePtr ray = make_read(around_.ray, where);
-    assign(around_.distance, make_operation(Op::SquareRoot, nodes(dot(*ray, *ray, where)), where));
+    assign(around_.distance, make_operation(Op::SquareRoot, nodes(make_dot(*ray, *ray, where)), where));
     NodePtr towards = make_operation(Op::Negate, nodes(clone(*ray)), where);
     NodePtr unit = make_operation(Op::Divide, nodes(std::move(towards), make_read(around_.distance, where)), where);
     Variable* direction = communicated("px_light_direction");
@@ -212,7 +202,7 @@ void Checker::light_source(const ast::Statement& statement, Statements& out, boo
     around_.ray = new_variable("px_light_ray", vector_type(Scalar::floating(), varying), Variable::Role::Local, where);
     if (axis) {
       Nodes before;
-      NodePtr unit = normalized(std::move(axis), before);
+      NodePtr unit = write_.normalized(std::move(axis), before);
       assign(around_.ray, make_sequence(std::move(before), std::move(unit), where));
     }
     Variable* direction = communicated("px_light_direction");
@@ -225,11 +215,11 @@ void Checker::light_source(const ast::Statement& statement, Statements& out, boo
   around_.in_illuminate = around_.in_solar = false;
   if (axis && angle) {
     Nodes before;
-    axis = reuse(std::move(axis), before);
+    axis = write_.reuse(std::move(axis), before);
     const NodePtr ray = make_read(around_.ray, where);
-    NodePtr length = make_operation(Op::SquareRoot, nodes(dot(*axis, *axis, where)), where);
+    NodePtr length = make_operation(Op::SquareRoot, nodes(make_dot(*axis, *axis, where)), where);
     NodePtr lengths = make_operation(Op::Multiply, nodes(make_read(around_.distance, where), std::move(length)), where);
-    NodePtr along = make_operation(Op::Divide, nodes(dot(*ray, *axis, where), std::move(lengths)), where);
+    NodePtr along = make_operation(Op::Divide, nodes(make_dot(*ray, *axis, where), std::move(lengths)), where);
     NodePtr cosine = make_math(pixelflow::Code::Cos, nodes(std::move(angle)), where);
     NodePtr outside = make_operation(Op::Less, nodes(std::move(along), std::move(cosine)), where);
     StatementPtr dark = make_statement(Statement::Kind::If, where);

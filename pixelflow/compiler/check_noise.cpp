@@ -26,7 +26,7 @@ Value Checker::noise(const std::string& name, Values arguments, Location where) 
   if (std::any_of(given.begin(), given.end(), [](const NodePtr& node) { return !node; })) return {};
   Nodes before, coordinates;
   if (point) {
-    const NodePtr whole = reuse(std::move(given[0]), before);
+    const NodePtr whole = write_.reuse(std::move(given[0]), before);
     for (int n = 0; n < first.dimensions[0]; ++n) coordinates.push_back(make_element(*whole, n));
   } else {
     coordinates = std::move(given);

@@ -123,7 +123,7 @@ Value Checker::comparison(Operator op, Value a, Value b, Location where) {
   Nodes before;
   if (swapped) {
     // Calls keep their order.
-    if (!is_pure(*operands[0]) && !is_pure(*operands[1])) operands[0] = reuse(std::move(operands[0]), before);
+    if (!is_pure(*operands[0]) && !is_pure(*operands[1])) operands[0] = write_.reuse(std::move(operands[0]), before);
     std::swap(operands[0], operands[1]);
   }
   const Op kind = op == Operator::Equal                             ? Op::Equal

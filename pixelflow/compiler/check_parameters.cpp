@@ -194,7 +194,7 @@ Variable* Checker::surface_point() {
 void Checker::normalize_parameter(Variable* variable, Statements& out) {
   const Location where = variable->where;
   Nodes before;
-  NodePtr vector = normalized(to_float(make_read(variable, where)), before);
+  NodePtr vector = write_.normalized(to_float(make_read(variable, where)), before);
   NodePtr value = make_sequence(std::move(before), std::move(vector), where);
   out.push_back(make_evaluate(
       make_assign(make_read(variable, where), make_convert(std::move(value), variable->type.scalar), where)));
@@ -215,7 +215,7 @@ void Checker::prologue(Shader& shader, Statements& out) {
     };
     if (declarator.name == "px_shader_view") {
       Nodes before;
-      NodePtr view = normalized(make_read(surface_point(), where), before);
+      NodePtr view = write_.normalized(make_read(surface_point(), where), before);
       assign(make_sequence(std::move(before), std::move(view), where));
     } else if (declarator.name == "px_shader_eye") {
       assign(make_array(nodes(make_float(0, where), make_float(0, where), make_float(0, where)), where));

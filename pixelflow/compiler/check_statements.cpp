@@ -144,7 +144,7 @@ void Checker::loop_statement(const ast::Statement& statement, Statements& out) {
   const ast::Expression* test = clause_at(is_for ? 1 : 0);
   loop->test_last = statement.kind == Kind::DoWhile;
   if (test != nullptr && !loop->test_last) loop->expression = clause(*test);
-  Loop state;
+  CheckedLoop state;
   state.masks = around_.masks;
   around_.loops.push_back(std::move(state));
   loop->body.push_back(scoped(*statement.body[0]));
@@ -182,7 +182,7 @@ void Checker::jump(const ast::Statement& statement, Statements& out) {
     error(304, statement.where, std::string("'") + (is_break ? "break" : "continue") + "' outside of a loop");
     return;
   }
-  Loop& loop = around_.loops.back();
+  CheckedLoop& loop = around_.loops.back();
   StatementPtr result = make_statement(is_break ? Statement::Kind::Break : Statement::Kind::Continue, statement.where);
   result->masked = around_.masks > loop.masks;
   if (result->masked) (is_break ? loop.masked_breaks : loop.masked_continues) = true;

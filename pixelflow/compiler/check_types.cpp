@@ -12,14 +12,7 @@ Value Checker::mistake(int code, Location where, std::string text) {
 }
 
 Variable* Checker::new_variable(std::string name, const Type& type, Variable::Role role, Location where) {
-  auto variable = std::make_unique<Variable>();
-  variable->name = std::move(name);
-  variable->type = type;
-  variable->role = role;
-  variable->where = where;
-  variable->id = static_cast<int>(tree_.variables.size());
-  tree_.variables.push_back(std::move(variable));
-  return tree_.variables.back().get();
+  return add_variable(tree_, std::move(name), type, role, where);
 }
 
 Symbol* Checker::find(const std::string& name) {

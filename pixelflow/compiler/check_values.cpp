@@ -87,7 +87,7 @@ NodePtr Checker::settle(Value value, const std::optional<Scalar>& surroundings) 
     case Value::Kind::Choice:
       return make_select(std::move(value.node), std::move(parts[0]), std::move(parts[1]), value.where);
     case Value::Kind::Array: return make_array(std::move(parts), value.where);
-    default: return generic(value.name, std::move(parts), value.where);
+    default: return write_.generic(value.name, std::move(parts), value.where);
   }
 }
 

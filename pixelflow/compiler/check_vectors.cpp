@@ -12,16 +12,6 @@ bool is_vector(const Type& type, int least, int most) {
   return type.rank == 1 && type.dimensions[0] >= least && type.dimensions[0] <= most;
 }
 
-/// Products, added from left to right. Both are plain.
-NodePtr dot(const Node& a, const Node& b, Location where) {
-  NodePtr sum;
-  for (int n = 0; n < a.type.dimensions[0]; ++n) {
-    NodePtr product = make_operation(Op::Multiply, nodes(make_element(a, n), make_element(b, n)), where);
-    sum = sum ? make_operation(Op::Add, nodes(std::move(sum), std::move(product)), where) : std::move(product);
-  }
-  return sum;
-}
-
 NodePtr root_of(NodePtr node, Location where) { return make_operation(Op::SquareRoot, nodes(std::move(node)), where); }
 
 /// a[j] b[k] - a[k] b[j]
@@ -31,24 +21,7 @@ NodePtr minor(const Node& a, const Node& b, int j, int k, Location where) {
   return make_operation(Op::Subtract, nodes(std::move(first), std::move(second)), where);
 }
 
-NodePtr zeros(int count, Location where) {
-  Nodes elements;
-  for (int n = 0; n < count; ++n) elements.push_back(make_float(0, where));
-  return make_array(std::move(elements), where);
-}
-
 }  // namespace
-
-/// Of floats: divided by its length, zero where that is zero.
-NodePtr Checker::normalized(NodePtr vector, Nodes& before) {
-  const Location where = vector->where;
-  const int count = vector->type.dimensions[0];
-  vector = reuse(std::move(vector), before);
-  NodePtr length = keep(root_of(dot(*vector, *vector, where), where), before);
-  NodePtr different = make_operation(Op::NotEqual, nodes(clone(*length), make_float(0, where)), where);
-  NodePtr quotient = make_operation(Op::Divide, nodes(std::move(vector), std::move(length)), where);
-  return make_select(std::move(different), std::move(quotient), zeros(count, where), where);
-}
 
 Value Checker::vectors(const std::string& name, Values arguments, Location where) {
   const int least = name == "cross" || name == "bump" ? 3 : 2, most = least == 3 ? 3 : 4;
@@ -71,35 +44,39 @@ Value Checker::vectors(const std::string& name, Values arguments, Location where
   for (NodePtr& node : given) {
     if (float_only) node = to_float(std::move(node));
     const bool once = name == "dot" || name == "distance";
-    node = once ? by_elements(std::move(node), before) : reuse(std::move(node), before);
+    node = once ? write_.by_elements(std::move(node), before) : write_.reuse(std::move(node), before);
   }
   NodePtr result;
   if (name == "dot") {
-    result = dot(*given[0], *given[1], where);
+    result = make_dot(*given[0], *given[1], where);
   } else if (name == "cross") {
     result = make_array(nodes(minor(*given[0], *given[1], 1, 2, where), minor(*given[0], *given[1], 2, 0, where),
                               minor(*given[0], *given[1], 0, 1, where)),
                         where);
   } else if (name == "length") {
-    result = root_of(dot(*given[0], *given[0], where), where);
+    result = root_of(make_dot(*given[0], *given[0], where), where);
   } else if (name == "distance") {
-    NodePtr apart = keep(make_operation(Op::Subtract, nodes(std::move(given[0]), std::move(given[1])), where), before);
-    result = root_of(dot(*apart, *apart, where), where);
+    NodePtr apart =
+        write_.keep(make_operation(Op::Subtract, nodes(std::move(given[0]), std::move(given[1])), where), before);
+    result = root_of(make_dot(*apart, *apart, where), where);
   } else if (name == "normalize") {
-    result = normalized(std::move(given[0]), before);
+    result = write_.normalized(std::move(given[0]), before);
   } else if (name == "faceforward") {
-    NodePtr behind = make_operation(Op::Less, nodes(dot(*given[1], *given[0], where), make_float(0, where)), where);
+    NodePtr behind =
+        make_operation(Op::Less, nodes(make_dot(*given[1], *given[0], where), make_float(0, where)), where);
     NodePtr turned = make_operation(Op::Negate, nodes(clone(*given[0])), where);
     result = make_select(std::move(behind), std::move(given[0]), std::move(turned), where);
   } else if (name == "reflect") {
-    NodePtr twice = make_operation(Op::Multiply, nodes(make_float(2, where), dot(*given[0], *given[1], where)), where);
-    NodePtr along = make_operation(Op::Multiply, nodes(keep(std::move(twice), before), std::move(given[1])), where);
+    NodePtr twice =
+        make_operation(Op::Multiply, nodes(make_float(2, where), make_dot(*given[0], *given[1], where)), where);
+    NodePtr along =
+        make_operation(Op::Multiply, nodes(write_.keep(std::move(twice), before), std::move(given[1])), where);
     result = make_operation(Op::Subtract, nodes(std::move(given[0]), std::move(along)), where);
   } else {
     NodePtr s = make_operation(Op::Multiply, nodes(std::move(given[3]), std::move(given[1])), where);
     NodePtr t = make_operation(Op::Multiply, nodes(std::move(given[4]), std::move(given[2])), where);
     NodePtr once = make_operation(Op::Subtract, nodes(std::move(given[0]), std::move(s)), where);
-    result = normalized(make_operation(Op::Subtract, nodes(std::move(once), std::move(t)), where), before);
+    result = write_.normalized(make_operation(Op::Subtract, nodes(std::move(once), std::move(t)), where), before);
   }
   result->precise = true;
   return Value::typed(make_sequence(std::move(before), std::move(result), where));
@@ -116,8 +93,8 @@ Value Checker::transformed(const std::string& name, Values arguments, Location w
   NodePtr m = convert_to(std::move(arguments[0]), Scalar::floating());
   NodePtr p = convert_to(std::move(arguments[1]), Scalar::floating());
   if (!m || !p) return {};
-  m = reuse(std::move(m), before);
-  p = reuse(std::move(p), before);
+  m = write_.reuse(std::move(m), before);
+  p = write_.reuse(std::move(p), before);
   Nodes rows;
   for (int i = 0; i < 3; ++i) {
     const NodePtr row = make_element(*m, i);

@@ -1,7 +1,6 @@
 // The checker's state and its parts, for check*.cpp alone.
 #pragma once
 
-#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -10,80 +9,19 @@
 
 #include "pixelflow/compiler/build.h"
 #include "pixelflow/compiler/check.h"
+#include "pixelflow/compiler/check_state.h"
 #include "pixelflow/compiler/host.h"
+#include "pixelflow/compiler/library_writer.h"
 
 namespace pfman {
-
-/// An expression, which has no type of its own yet where it consists of literals: they take that of what they meet.
-struct Value {
-  enum class Kind : std::uint8_t {
-    Mistake,  // has been reported; silences what it is part of
-    Typed,    // node
-    Literal,  // number; integer unless real
-    Choice,   // node ? parts[0] : parts[1]
-    Array,    // parts
-    Library,  // a function of the library, name, of parts
-  };
-  Kind kind = Kind::Mistake;
-  Location where;
-  NodePtr node;
-  bool real = false;  ///< of an untyped one: a real literal is in it
-  double number = 0;
-  std::int64_t integer = 0;
-  std::string name;
-  std::vector<Value> parts;
-  Type shape;  ///< of an untyped one; the scalar is open
-
-  static Value typed(NodePtr node);
-  static Value whole(std::int64_t integer, Location where);
-  static Value of(double number, Location where);
-  bool mistake() const { return kind == Kind::Mistake; }
-  bool untyped() const { return kind != Kind::Mistake && kind != Kind::Typed; }
-  const Type& type() const { return kind == Kind::Typed ? node->type : shape; }
-  std::string spelled() const;  ///< its type, as messages name it
-};
-using Values = std::vector<Value>;
-
-/// A name and what may be done with it.
-struct Symbol {
-  Variable* variable = nullptr;
-  const char* protection = nullptr;  ///< why it may not be assigned, or null
-  int masks = 0;                     ///< varying conditions around its declaration
-  std::size_t loops = 0;             ///< loops around its declaration
-  bool used = false;
-  bool shared = false;  ///< common code of several shaders may assign it
-};
 
 class Checker {
  public:
   Checker(const ast::Unit& unit, Tree& tree, Diagnostics& diagnostics)
-      : unit_(unit), tree_(tree), diagnostics_(diagnostics) {}
+      : unit_(unit), tree_(tree), diagnostics_(diagnostics), write_(tree) {}
   void run();
 
  private:
-  struct Assigned {
-    std::string name;
-    Location where;
-  };
-  struct Loop {
-    int masks = 0;  ///< varying conditions around it
-    bool masked_breaks = false, masked_continues = false;
-    std::vector<Assigned> assigned;  ///< uniform variables from outside, in the body
-  };
-  /// What is around a statement.
-  struct Surroundings {
-    const ast::Definition* definition = nullptr;
-    Shader* shader = nullptr;
-    Function* function = nullptr;
-    int masks = 0;
-    std::vector<Loop> loops;
-    bool in_illuminance = false, in_illuminate = false, in_solar = false;
-    bool illuminance_seen = false, source_seen = false;
-    std::set<std::string> colors_named, colors_assigned;
-    Variable *ray = nullptr, *distance = nullptr;
-    Variable* position = nullptr;  ///< of the surface point, as it comes in
-  };
-
   // Definitions: check.cpp, check_functions.cpp, check_shaders.cpp, check_parameters.cpp.
   void constants(const std::vector<ast::Declarator>& declarators, std::vector<NodePtr>& assignments);
   void declare_function(const ast::Definition& definition);
@@ -152,7 +90,7 @@ class Checker {
   bool same_shapes(const Type& a, const Type& b, Location where);
   void warn_mixed(const Node& node);
 
-  // The library: check_library.cpp, check_generic.cpp, check_vectors.cpp, check_noise.cpp.
+  // The library: check_library.cpp, check_vectors.cpp, check_noise.cpp.
   Value call_library(const ast::Expression& expression);
   Value library(const std::string& name, Values arguments, Location where);
   Value functions_of_floats(const std::string& name, Values arguments, Location where);
@@ -162,17 +100,6 @@ class Checker {
   Value vectors(const std::string& name, Values arguments, Location where);
   Value transformed(const std::string& name, Values arguments, Location where);
   bool arguments_fit(const std::string& name, const Values& arguments, Location where);
-  NodePtr generic(const std::string& name, Nodes arguments, Location where);
-  NodePtr generic_scalar(const std::string& name, Nodes arguments, Location where);
-  NodePtr mix(Nodes arguments, Nodes& before, Location where);
-  NodePtr smoothstep(Nodes arguments, Location where);
-  NodePtr each_element(const std::string& name, const Nodes& arguments, Location where);
-  NodePtr keep(NodePtr node, Nodes& before);   ///< in a hidden variable
-  NodePtr reuse(NodePtr node, Nodes& before);  ///< the same, unless it is plain
-  NodePtr by_elements(NodePtr node, Nodes& before);
-  NodePtr normalized(NodePtr vector, Nodes& before);
-  NodePtr lesser(NodePtr a, NodePtr b, Nodes& before);
-  NodePtr greater(NodePtr a, NodePtr b, Nodes& before);
   NodePtr uniform_integer(Value value, const char* what);
 
   // Statements: check_statements.cpp, check_lights.cpp, check_shared.cpp.
@@ -200,6 +127,7 @@ class Checker {
   const ast::Unit& unit_;
   Tree& tree_;
   Diagnostics& diagnostics_;
+  LibraryWriter write_;
   std::vector<std::map<std::string, Symbol>> scopes_;
   std::map<std::string, Function*> functions_;  ///< null: its declaration was a mistake
   std::map<const ast::Definition*, std::unique_ptr<Function>> all_functions_;
@@ -214,7 +142,6 @@ class Checker {
   int effects_ = 0;  ///< assignments and calls with effects met so far
 };
 
-std::string counted(std::size_t count, const std::string& what);  ///< "1 argument", "2 arguments"
 bool is_library_function(const std::string& name);
 StatementPtr make_statement(Statement::Kind kind, Location where);
 StatementPtr make_evaluate(NodePtr expression);

@@ -1,37 +1,35 @@
 // Functions of the library whose type follows from their arguments': float if one is float, else fixed with every bit.
 // The arguments have met: all are float, or all are fixed.
-#include <algorithm>
+#include "pixelflow/compiler/library_writer.h"
 
-#include "pixelflow/compiler/checker.h"
+#include <algorithm>
 
 namespace pfman {
 
 using Op = Node::Op;
 
-NodePtr Checker::keep(NodePtr node, Nodes& before) {
+NodePtr LibraryWriter::keep(NodePtr node, Nodes& before) {
   const Location where = node->where;
   Type type = node->type;
   type.scalar = node->exact;
-  Variable* variable = new_variable("value", type, Variable::Role::Hidden, where);
+  Variable* variable = add_variable(tree_, "value", type, Variable::Role::Hidden, where);
   before.push_back(make_assign(make_read(variable, where), std::move(node), where));
   return make_read(variable, where);
 }
 
-NodePtr Checker::reuse(NodePtr node, Nodes& before) {
+NodePtr LibraryWriter::reuse(NodePtr node, Nodes& before) {
   if (is_plain(*node)) return node;
   return keep(std::move(node), before);
 }
 
-/// An argument of which each element is used once. Arrays of floats are calculated an element at a time, so that they
-/// need not be stored whole; fixed ones keep every bit.
-NodePtr Checker::by_elements(NodePtr node, Nodes& before) {
+NodePtr LibraryWriter::by_elements(NodePtr node, Nodes& before) {
   const bool apart = node->type.is_array() && node->exact.is_float && is_pure(*node) &&
                      has_elements(*node, *make_integer(0, node->where));
   return apart ? std::move(node) : reuse(std::move(node), before);
 }
 
 /// The second one where it is less.
-NodePtr Checker::lesser(NodePtr a, NodePtr b, Nodes& before) {
+NodePtr LibraryWriter::lesser(NodePtr a, NodePtr b, Nodes& before) {
   const Location where = a->where;
   a = reuse(std::move(a), before);
   b = reuse(std::move(b), before);
@@ -40,7 +38,7 @@ NodePtr Checker::lesser(NodePtr a, NodePtr b, Nodes& before) {
 }
 
 /// The second one where the first is less.
-NodePtr Checker::greater(NodePtr a, NodePtr b, Nodes& before) {
+NodePtr LibraryWriter::greater(NodePtr a, NodePtr b, Nodes& before) {
   const Location where = a->where;
   a = reuse(std::move(a), before);
   b = reuse(std::move(b), before);
@@ -69,7 +67,7 @@ bool is_unary(const std::string& name) {
 
 }  // namespace
 
-NodePtr Checker::mix(Nodes arguments, Nodes& before, Location where) {
+NodePtr LibraryWriter::mix(Nodes arguments, Nodes& before, Location where) {
   const bool real = arguments[0]->exact.is_float;
   for (std::size_t n = 0; n < 3; ++n) {
     if (n == 2 || !real) arguments[n] = reuse(std::move(arguments[n]), before);
@@ -83,7 +81,7 @@ NodePtr Checker::mix(Nodes arguments, Nodes& before, Location where) {
 }
 
 /// Of scalars.
-NodePtr Checker::generic_scalar(const std::string& name, Nodes arguments, Location where) {
+NodePtr LibraryWriter::generic_scalar(const std::string& name, Nodes arguments, Location where) {
   Nodes before;
   NodePtr result;
   if (name == "min" || name == "max") {
@@ -113,7 +111,7 @@ NodePtr Checker::generic_scalar(const std::string& name, Nodes arguments, Locati
 }
 
 /// An array of the function's results for the elements of its arguments, scalars repeated.
-NodePtr Checker::each_element(const std::string& name, const Nodes& arguments, Location where) {
+NodePtr LibraryWriter::each_element(const std::string& name, const Nodes& arguments, Location where) {
   int length = 0;
   for (const NodePtr& argument : arguments) {
     if (argument->type.is_array()) length = argument->type.dimensions[0];
@@ -136,8 +134,7 @@ NodePtr Checker::each_element(const std::string& name, const Nodes& arguments, L
   return result;
 }
 
-/// Null for a mistake.
-NodePtr Checker::generic(const std::string& name, Nodes arguments, Location where) {
+NodePtr LibraryWriter::generic(const std::string& name, Nodes arguments, Location where) {
   const bool right =
       std::all_of(arguments.begin(), arguments.end(), [](const NodePtr& node) { return node != nullptr; });
   if (!right) return nullptr;
@@ -167,7 +164,7 @@ NodePtr Checker::generic(const std::string& name, Nodes arguments, Location wher
   return make_sequence(std::move(before), each_element(name, arguments, where), where);
 }
 
-NodePtr Checker::smoothstep(Nodes arguments, Location where) {
+NodePtr LibraryWriter::smoothstep(Nodes arguments, Location where) {
   Nodes before;
   NodePtr low = reuse(std::move(arguments[0]), before);
   NodePtr high = reuse(std::move(arguments[1]), before);
@@ -181,6 +178,46 @@ NodePtr Checker::smoothstep(Nodes arguments, Location where) {
   NodePtr slope = make_operation(Op::Subtract, nodes(make_float(3, where), std::move(twice)), where);
   NodePtr result = make_operation(Op::Multiply, nodes(std::move(square), std::move(slope)), where);
   return make_sequence(std::move(before), std::move(result), where);
+}
+
+namespace {
+
+NodePtr zeros(int count, Location where) {
+  Nodes elements;
+  for (int n = 0; n < count; ++n) elements.push_back(make_float(0, where));
+  return make_array(std::move(elements), where);
+}
+
+}  // namespace
+
+NodePtr LibraryWriter::normalized(NodePtr vector, Nodes& before) {
+  const Location where = vector->where;
+  const int count = vector->type.dimensions[0];
+  vector = reuse(std::move(vector), before);
+  NodePtr length = keep(make_operation(Op::SquareRoot, nodes(make_dot(*vector, *vector, where)), where), before);
+  NodePtr different = make_operation(Op::NotEqual, nodes(clone(*length), make_float(0, where)), where);
+  NodePtr quotient = make_operation(Op::Divide, nodes(std::move(vector), std::move(length)), where);
+  return make_select(std::move(different), std::move(quotient), zeros(count, where), where);
+}
+
+NodePtr make_dot(const Node& a, const Node& b, Location where) {
+  NodePtr sum;
+  for (int n = 0; n < a.type.dimensions[0]; ++n) {
+    NodePtr product = make_operation(Op::Multiply, nodes(make_element(a, n), make_element(b, n)), where);
+    sum = sum ? make_operation(Op::Add, nodes(std::move(sum), std::move(product)), where) : std::move(product);
+  }
+  return sum;
+}
+
+Variable* add_variable(Tree& tree, std::string name, const Type& type, Variable::Role role, Location where) {
+  auto variable = std::make_unique<Variable>();
+  variable->name = std::move(name);
+  variable->type = type;
+  variable->role = role;
+  variable->where = where;
+  variable->id = static_cast<int>(tree.variables.size());
+  tree.variables.push_back(std::move(variable));
+  return tree.variables.back().get();
 }
 
 }  // namespace pfman
