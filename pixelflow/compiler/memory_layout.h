@@ -18,7 +18,7 @@ constexpr int kLightColorAt = kLightAmbientAt - 6;             ///< U(16,12)[3]
 constexpr int kLightDirectionAt = kLightColorAt - 6;           ///< S(16,14)[3], from surface to light
 /// U(8,8)[3]: the picture's colour, written at the end of the last stage over what the lights no longer need.
 constexpr int kColorAt = kLightDirectionAt;
-/// Mask bits 0 to 7: zero outside of masked statements. A shader that nests deeper has more mask bytes in its own part.
+/// Mask bits 0 to 7: zero between streams. A shader that nests deeper has more mask bytes in its own part.
 constexpr int kMaskAt = kLightDirectionAt - 1;
 constexpr int kPositionAt = kMaskAt - 12;  ///< float[3], in eye space, rebuilt from depth before any shading
 constexpr int kSharedAt = kPositionAt;

@@ -61,7 +61,6 @@ class RandomCode {
   Operand target(int bytes);
   void give(int variable) { has_value_[static_cast<std::size_t>(variable)] = true; }
   int size_of(int variable) const { return builder.code.variables[static_cast<std::size_t>(variable)].scalar.bytes(); }
-  bool is_single(int variable) const { return builder.code.variables[static_cast<std::size_t>(variable)].count == 1; }
 
   std::mt19937 random_;
   RandomShape shape_;

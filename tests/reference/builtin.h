@@ -45,7 +45,6 @@ Value each(const Node& node, const std::vector<Value>& arguments, Function&& res
 }
 
 // Float arithmetic, element by element, a scalar standing for every element. NaNs are the one.
-Value float_sum(const Value& a, const Value& b);
 Value float_difference(const Value& a, const Value& b);
 Value float_product(const Value& a, const Value& b);
 Value float_dot(const Value& a, const Value& b);

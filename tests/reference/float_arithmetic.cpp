@@ -41,7 +41,6 @@ Raw float_operation(Operator op, Raw a, Raw b) {
   }
 }
 
-Value float_sum(const Value& a, const Value& b) { return together(a, b, Operator::Add); }
 Value float_difference(const Value& a, const Value& b) { return together(a, b, Operator::Subtract); }
 Value float_product(const Value& a, const Value& b) { return together(a, b, Operator::Multiply); }
 
