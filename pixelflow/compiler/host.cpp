@@ -12,6 +12,8 @@ namespace {
 
 using Op = Node::Op;
 
+constexpr std::uint64_t kMostOperations = std::uint64_t{1} << 26;
+
 /// What an assignment writes: part of a variable's value.
 struct Place {
   Raw* value;
@@ -24,6 +26,7 @@ class Evaluator {
   explicit Evaluator(Environment& environment) : environment_(environment) {}
 
   Raw value(const Node& node) {
+    environment_.count(static_cast<std::uint64_t>(node.type.count()), node.where);
     switch (node.op) {
       case Op::Literal: return {node.raw};
       case Op::Variable: return variable(node);
@@ -279,6 +282,13 @@ class Evaluator {
 };
 
 }  // namespace
+
+void Environment::count(std::uint64_t operations, Location where) {
+  operations_ += operations;
+  if (operations_ > kMostOperations) {
+    throw UniformError(where, "uniform code has not ended after " + std::to_string(kMostOperations) + " operations");
+  }
+}
 
 Raw evaluate(const Node& node, Environment& environment) { return Evaluator(environment).value(node); }
 

@@ -29,10 +29,14 @@ using UniformFunction = Raw (*)(std::vector<Raw>& arguments);
 class Environment {
  public:
   Raw& operator[](const Variable* variable) { return values_[variable]; }
-  friend bool operator==(const Environment&, const Environment&) = default;
+  friend bool operator==(const Environment& a, const Environment& b) { return a.values_ == b.values_; }
+
+  /// Counts operations on numbers, so that nested loops end. Throws UniformError when there have been too many.
+  void count(std::uint64_t operations, Location where);
 
  private:
   std::map<const Variable*, Raw> values_;
+  std::uint64_t operations_ = 0;
 };
 
 /// The value of a sized uniform tree; assignments in it change the environment. Throws UniformError.

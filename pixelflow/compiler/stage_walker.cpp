@@ -146,6 +146,7 @@ pixelflow::Operand StageWalker::resolve(const ir::Operand& operand) {
 int StageWalker::step(int at) {
   const ir::Instruction& i = instruction(at);
   out_.at(i.where);
+  environment_.count(1, i.where);
   switch (i.kind) {
     case Kind::Uniform: value(i.uniform); return at + 1;
     case Kind::If: return condition(i.uniform) ? at + 1 : i.match + 1;

@@ -1,6 +1,7 @@
 #include "pixelflow/compiler/stream_writer.h"
 
 #include <stdexcept>
+#include <string>
 
 namespace pfman {
 namespace {
@@ -14,6 +15,7 @@ using pixelflow::P;
 using pixelflow::Q;
 using pixelflow::To;
 
+constexpr std::size_t kMostInstructions = std::size_t{1} << 22;  // nested loops soon make more than memory holds
 constexpr std::uint64_t kFloatOne = 0x3F800000;
 constexpr std::uint64_t kFloatMinusZero = 0x80000000;
 
@@ -124,6 +126,9 @@ void StreamWriter::operate(pixelflow::Operation operation) {
 }
 
 void StreamWriter::close_step() {
+  if (program().instructions.size() > kMostInstructions) {
+    throw UniformError(where_, "the stream has more than " + std::to_string(kMostInstructions) + " instructions");
+  }
   auto& steps = program().steps;
   auto& places = stream_.parts.back().places;
   const pixelflow::Step last = steps.back();
