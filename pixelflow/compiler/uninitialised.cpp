@@ -12,10 +12,27 @@ namespace pfman {
 using ir::Access;
 using ir::Operand;
 
+namespace {
+
+/// The ways of pixels, but that every loop is taken to run once at least: otherwise an array that a loop fills would
+/// always be suspected.
+std::vector<std::vector<int>> likely_successors(const ir::Code& code) {
+  std::vector<std::vector<int>> next = successors(code);
+  for (int i = 0; i < static_cast<int>(code.code.size()); ++i) {
+    if (code.code[i].kind != ir::Instruction::Kind::LoopTest) continue;
+    const int end = code.code[code.code[i].match].match;
+    std::erase(next[i], end + 1);
+    next[end].push_back(end + 1);
+  }
+  return next;
+}
+
+}  // namespace
+
 void warn_of_uninitialised(const ir::Code& code, Diagnostics& diagnostics) {
   const int size = static_cast<int>(code.code.size());
   const int variables = static_cast<int>(code.variables.size());
-  const std::vector<std::vector<int>> next = successors(code);
+  const std::vector<std::vector<int>> next = likely_successors(code);
   // Row i: variables without a value on some way to instruction i. Only ways that pixels can take count.
   BitMatrix without(size + 1, variables);
   std::vector<bool> reached(size + 1, false);
