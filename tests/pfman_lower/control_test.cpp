@@ -114,6 +114,8 @@ TEST(LowerCalls, functions) {
       "float pick(float p[3], uniform int n) { return p[n]; }\n"
       "void fill(output float p[3], float x) { p = { x, x + 1.0, square(x) }; }\n"
       "void split(float x, output float whole, output float rest) { whole = floor(x); rest = x - whole; }\n"
+      "void scale(float x, output float y) { y = y + 1.0; y = y * x; }\n"
+      "void count_up(uniform int n, output uniform int m) { m = m + 1; m = m * n; }\n"
       "float limited(float x, float most) { float r = x; if (x > most) r = most; return r; }\n"
       "fixed<8,4> quarter(fixed<8,4> x) { return x / 4; }\n"
       "uniform float table(uniform int n)[1];\n";
@@ -127,10 +129,32 @@ TEST(LowerCalls, functions) {
        "float p[3]; fill(p, f); r = p[0] + p[1]; r2 = p[2]; float q[3]; if (g > 0) fill(q, g); else fill(q, 1); r3 = "
        "q[2];",
        "split(f, r, r2); float s[2] = { 0, 0 }; split(g, s[1], s[0]); r3 = s[1] * 2.0 + s[0];",
+       "r = f; scale(r, r); r2 = g; scale(r2 + f, r2); uniform int i = 3; count_up(i, i); r3 = i;",
+       "float s[2] = { f, g }; scale(s[1], s[0]); scale(s[1], s[1]); r = s[0]; r2 = s[1];",
        "r = limited(f, 1.0); r2 = limited(g, f); uniform int i; for (i = 0; i < 3; i++) r3 += limited(f, i);",
        "r = quarter(a); r2 = quarter(f); r3 = quarter(quarter(u));",
        "float s[2] = { f, g }; uniform int i; for (i = 0; i < 2; i++) split(s[i], s[i], r); r2 = s[0]; r3 = s[1];"},
       used);
+}
+
+/// Fixed point on the host: signs, and quotients and remainders that are no whole numbers.
+TEST(LowerUniform, arithmetic) {
+  const std::string parameters =
+      "uniform signed fixed<16,4> a = 0, uniform signed fixed<16,6> b = 0, uniform fixed<8,4> c = 0, "
+      "uniform fixed<8,0> d = 0";
+  const std::vector<std::string> expressions = {"a / b",        "a % b",      "a / c",    "c / b",     "c / d",
+                                                "a % c",        "c % b",      "-a",       "a - b * c", "a * b >> 3",
+                                                "floor(a) - d", "ceil(b)",    "round(a)", "abs(b)",    "sign(a) * d",
+                                                "min(a, b, c)", "sqrt(c) / a"};
+  const std::uint64_t seed = pixelflow_tests::seed_or(21);
+  for (std::size_t n = 0; n < expressions.size(); ++n) {
+    for (std::uint64_t repeat = 0; repeat < 12; ++repeat) {
+      const std::string other = expressions[(n + repeat) % expressions.size()];
+      EXPECT_TRUE(agrees(surface("signed fixed<24,5>", parameters, {"r", "r2", "r"},
+                                 "  uniform signed fixed<24,5> r = " + expressions[n] + ", r2 = " + other + ";\n"),
+                         seed + 100 * n + repeat));
+    }
+  }
 }
 
 TEST(LowerUniform, run_time_errors) {
@@ -147,6 +171,11 @@ TEST(LowerUniform, run_time_errors) {
   EXPECT_EQ(kind("r = a >> (k_n - 6);"), Kind::Refused);
   EXPECT_EQ(kind("uniform int i = 0; while (i < 1) r += 1;"), Kind::Refused);
   EXPECT_EQ(kind("r = k_m[k_i][k_j] + v[k_n - 2];"), Kind::Agrees);
+  // What is not needed is not evaluated.
+  EXPECT_EQ(kind("uniform bool c = k_n < 2 && k_m[k_n][0] > 1; r = c;"), Kind::Agrees);
+  EXPECT_EQ(kind("uniform bool c = k_n > 2 || k_m[k_n][0] > 1; r = c;"), Kind::Agrees);
+  EXPECT_EQ(kind("uniform float c = k_n < 2 ? k_m[k_n][0] : 2; r = c;"), Kind::Agrees);
+  EXPECT_EQ(kind("uniform bool c = k_n > 2 && k_m[k_n][0] > 1; r = c;"), Kind::Refused);
 }
 
 }  // namespace
