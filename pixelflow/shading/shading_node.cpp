@@ -17,16 +17,9 @@ constexpr int kHighestId = (1 << 8 * kShaderIdBytes) - 1;
 
 const Shader& source(const Instance& instance) { return *instance.shader().shader; }
 
-/// First byte that lights may use: above what the surface keeps over them.
-int high_water(const CompiledShader& surface) {
-  // One without an illuminance is executed after the lights, so that they do not write over its colour.
-  if (!surface.code.has_illuminance) return kShaderIdAt + transfer_map(surface).bytes;
-  return surface.map.high_water;
-}
-
 void check_fit(const Instance& surface, const Instance& light) {
   const std::string names = "surface '" + source(surface).name + "' and light '" + source(light).name + "': ";
-  const int above = high_water(surface.shader()), from = light.shader().map.first_free;
+  const int above = surface.shader().map.high_water, from = light.shader().map.first_free;
   if (from < above) {
     throw std::invalid_argument(names + "the light needs memory from byte " + std::to_string(from) +
                                 " on, the surface keeps what is below byte " + std::to_string(above));
@@ -120,7 +113,7 @@ void ShadingNode::share_illum(std::vector<Group>& groups) {
   for (Group& group : groups) {
     if (!common_.code->serves(group.first->shader())) continue;
     sharing.push_back(&group);
-    block = std::max(block, high_water(group.first->shader()));
+    block = std::max(block, group.first->shader().map.high_water);
   }
   const int behind = block + common_.code->block_bytes();
   const bool fits = behind + common_.code->work_bytes() <= kSharedAt &&

@@ -175,6 +175,40 @@ light lamp() { solar ({ 0, -0.6, -0.8 }, 0) { px_light_color = { 0.25, 0.5, 0.75
   }
 }
 
+/// Whatever of the input changes, the streams are others; another user does not displace them.
+TEST(StreamCaches, KeepStreamsOfEqualInputsAlone) {
+  const auto unit = compiled(R"(
+surface s(output varying fixed<8,8> px_shader_color[3], varying fixed<8,8> shade = 0.5, uniform fixed<8,8> weight = 0.25) {
+    fixed<8,8> sum = shade;
+    illuminance () { sum += px_light_color[0] * weight; }
+    px_shader_color = { sum, sum, sum };
+})");
+  const pfman::CompiledShader& shader = unit->shaders[0];
+  const pfman::GenerateInput plain{.uniforms = {}, .bound_varying = {}, .shader_ids = {1}, .lights = 1};
+  std::vector<pfman::GenerateInput> inputs(5, plain);
+  inputs[1].uniforms["weight"] = {128};
+  inputs[2].bound_varying["shade"] = {77};
+  inputs[3].shader_ids = {1, 2};
+  inputs[4].lights = 0;
+  pfman::StreamCache cache;
+  for (std::size_t n = 0; n < inputs.size(); ++n) {
+    for (const std::size_t input : {std::size_t{0}, n}) {
+      const pfman::Streams& streams = cache.streams(shader, inputs[input]);
+      const pfman::Streams expected = pfman::generate(shader, inputs[input]);
+      EXPECT_EQ(streams.pre.cycles(), expected.pre.cycles()) << n;
+      EXPECT_EQ(streams.illum.size(), expected.illum.size()) << n;
+      EXPECT_EQ(streams.cycles_by_line, expected.cycles_by_line) << n;
+    }
+  }
+  // The first input, twice in its first turn, then each of the others and it again.
+  EXPECT_EQ(cache.made(), 1 + 4 + 3);
+  EXPECT_EQ(cache.reused(), 2);
+  cache.streams(shader, plain, 5);
+  cache.streams(shader, inputs[4]);
+  EXPECT_EQ(cache.made(), 9) << "for another user";
+  EXPECT_EQ(cache.reused(), 3);
+}
+
 std::string uniform_mistake(const std::string& body) {
   const auto unit = compiled("surface s(output varying fixed<8,8> px_shader_color[3], uniform int n = 7) {\n" + body +
                              "\npx_shader_color = { 0, 0, 0 };\n}");

@@ -115,6 +115,7 @@ TEST(Textures, AreBilinearAndRepeat) {
   EXPECT_EQ(textures.lookup(5, 0.0f, 0.5f), (Texel{100, 50, 20, 255}));
   EXPECT_EQ(textures.lookup(5, 0.375f, 0.5f), (Texel{50, 25, 10, 255}));
   EXPECT_EQ(textures.lookup(5, -3.625f, 7.0f), (Texel{50, 25, 10, 255}));
+  EXPECT_EQ(textures.lookup(5, 0.3125f, 0.5f), (Texel{25, 13, 5, 255})) << "12.5 is rounded up";
   EXPECT_EQ(textures.lookup(6, 0.5f, 0.5f), (Texel{255, 255, 255, 255}));
   const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
   EXPECT_EQ(textures.lookup(5, nan, infinity), textures.lookup(5, 0, 0));

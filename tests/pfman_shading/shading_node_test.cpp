@@ -198,6 +198,41 @@ TEST_F(ShadingNodes, KeepUniformValuesFromLightToLight) {
   }
 }
 
+TEST_F(ShadingNodes, RunLightsInTheOrderOfTheirIds) {
+  const auto unit = compiled(R"(
+surface last(output varying fixed<8,8> px_shader_color[3]) {
+    px_shader_color = { 0, 0, 0 };
+    illuminance () { px_shader_color = px_shader_color / 2 + px_light_color / 2; }
+}
+)");
+  Instance first = lamp(1, {0, 0, -1}), second = lamp(2, {0, 0, -1}), third = lamp(3, {0, 0, -1});
+  first.set("rgb", {0.5, 0.25, 0});
+  second.set("rgb", {0.25, 0.5, 0});
+  third.set("rgb", {0, 0.25, 0.5});
+  const auto array = pixelflow::make_golden_array(pixelflow::Level::Macro, kLanes);
+  Region before(kLanes);
+  for (std::size_t lane = 0; lane < kLanes; ++lane) before.put_id(lane, 1);
+  ShadingNode node({Instance(unit->shaders[0], 1)}, {second, third, first}, nullptr);
+  const Region after = shaded(node, before, *array);
+  const std::array<int, 3> expected{32, 72, 64};
+  for (int c = 0; c < 3; ++c) EXPECT_EQ(after.colour(0, c), expected[static_cast<std::size_t>(c)]);
+}
+
+/// A cone of no width holds the light on its axis, and no other.
+TEST_F(ShadingNodes, CountLightsOnTheRimOfACone) {
+  const auto unit = compiled(R"(
+surface cone(output varying fixed<8,8> px_shader_color[3]) {
+    px_shader_color = { 0, 0, 0 };
+    illuminance (px_shader_position, { 0, 0, 2 }, 0) { px_shader_color += px_light_color / 2; }
+}
+)");
+  const auto array = pixelflow::make_golden_array(pixelflow::Level::Macro, kLanes);
+  Region before(kLanes);
+  for (std::size_t lane = 0; lane < kLanes; ++lane) before.put_id(lane, 1);
+  ShadingNode node({Instance(unit->shaders[0], 1)}, {lamp(1, {0, 0, -1}), lamp(2, {0.125, 0, -1})}, nullptr);
+  EXPECT_EQ(shaded(node, before, *array).colour(0, 0), 128);
+}
+
 TEST_F(ShadingNodes, RunEqualInstancesOnce) {
   std::mt19937_64 random(seed_or(13));
   const auto array = pixelflow::make_golden_array(pixelflow::Level::Macro, kLanes);
