@@ -79,7 +79,7 @@ int run(const Arguments& arguments) {
   int failures = 0, runs = 0;
   // A program that is refused is drawn again: the count is of those that run.
   std::uint64_t seed = arguments.seed;
-  for (int compared = 0; compared < arguments.count && failures < 25; ++seed) {
+  for (int compared = 0; compared < arguments.count && failures < 5; ++seed) {
     const Program program = random_program(seed, arguments.settings);
     if (arguments.print) fmt::print("{}\n", render(program.text));
     const std::vector<Way> ways = ways_of(arguments, seed - arguments.seed);

@@ -27,6 +27,11 @@ TEST(Statements, varying_if_goes_both_ways) {
   EXPECT_EQ(over_lanes("if (x < 3) r = 1; else if (x == 5) r = 2; else r = 3;"), (Lanes{1, 1, 1, 3, 3, 2, 3, 3}));
 }
 
+TEST(Statements, a_choice_by_what_only_may_vary_keeps_its_lanes) {
+  EXPECT_EQ(over_lanes("bool b = x == 1; r = (n == 5 ? 0 : b) ? 7 : x;", 4), (Lanes{0, 1, 2, 3}));
+  EXPECT_EQ(over_lanes("bool b = x == 1; r = (n == 4 ? 0 : b) ? 7 : x;", 4), (Lanes{0, 7, 2, 3}));
+}
+
 TEST(Statements, masked_break_stops_a_lane_and_the_loop_goes_on) {
   EXPECT_EQ(over_lanes("uniform int i; for (i = 0; i < n; i++) { if (i == x) break; r += 1; } r += 100 * i;"),
             (Lanes{500, 501, 502, 503, 504, 505, 505, 505}));
