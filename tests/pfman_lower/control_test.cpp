@@ -157,6 +157,12 @@ TEST(LowerUniform, arithmetic) {
   }
 }
 
+TEST(LowerUniform, literals) {
+  try_bodies("signed fixed<24,4>",
+             {"r = -7 % 3; r2 = 7 % -3; r3 = -7.5 % 2;", "r = (1 << 62) >> 60; r2 = (6 & 3) | (8 ^ 1); r3 = 7 / 2;",
+              "r = a * (1 / 3); r2 = (2 < 3) + a; r3 = !0 + b;"});
+}
+
 TEST(LowerUniform, run_time_errors) {
   const auto kind = [](const std::string& body) {
     const Agreement agreement = compare(surface("float", kParameters, {"r", "r", "r"}, "float r = 0;\n" + body), 1);
