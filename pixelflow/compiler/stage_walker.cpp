@@ -244,11 +244,9 @@ void StageWalker::look_up(const ir::Instruction& i, const pixelflow::Operand& d,
 ExternalArgument StageWalker::argument(const ir::Operand& operand, const Type& type) {
   if (operand.kind == ir::Operand::Kind::Uniform) return {.pixel = {}, .uniform = value(operand.uniform)};
   const Scalar& scalar = type.scalar;
-  const int kind = scalar.is_float ? 2 : scalar.is_signed ? 1 : 0;
-  return {
-      .pixel = PixelVariable{resolve(operand).address, static_cast<std::uint8_t>(scalar.bytes()),
-                             static_cast<std::uint8_t>(kind), static_cast<std::int16_t>(scalar.exponent), type.count()},
-      .uniform = {}};
+  return {.pixel = PixelVariable{resolve(operand).address, static_cast<std::uint8_t>(scalar.bytes()),
+                                 pixel_kind(scalar), static_cast<std::int16_t>(scalar.exponent), type.count()},
+          .uniform = {}};
 }
 
 void StageWalker::call(const ir::Instruction& i) {

@@ -94,6 +94,7 @@ TEST_F(ShaderCommand, ListsOperationsWithAddresses) {
             "       2  [e8] := copy [02]\n"
             "       2  [e9] := copy [03]\n"
             "       2  [ea] := copy [04]\n");
+  EXPECT_THAT(shader({"--shader", "tiny", "--listing"}).out, HasSubstr("float_to_fixed [02-05], scale 8    work ["));
 }
 
 TEST_F(ShaderCommand, SetsValues) {
