@@ -146,16 +146,8 @@ NodePtr element_of_variable(const Node& array, const Node& index) {
   return node;
 }
 
-}  // namespace
-
-namespace {
-
-bool elements_follow(const Node& node, const Node& index) {
-  switch (node.op) {
-    case Op::Variable:
-    case Op::Element: return true;
-    case Op::Array: return index.op == Op::Literal;
-    case Op::Sequence: return elements_follow(*node.operands.back(), index);
+bool is_elementwise(Op op) {
+  switch (op) {
     case Op::Negate:
     case Op::Add:
     case Op::Subtract:
@@ -168,17 +160,24 @@ bool elements_follow(const Node& node, const Node& index) {
     case Op::Abs:
     case Op::Floor:
     case Op::Ceil:
-    case Op::Round:
-      return std::all_of(node.operands.begin(), node.operands.end(), [&](const NodePtr& operand) {
-        return !operand->type.is_array() || elements_follow(*operand, index);
-      });
+    case Op::Round: return true;
     default: return false;
   }
 }
 
-}  // namespace
-
-namespace {
+bool elements_follow(const Node& node, const Node& index) {
+  switch (node.op) {
+    case Op::Variable:
+    case Op::Element: return true;
+    case Op::Array: return index.op == Op::Literal;
+    case Op::Sequence: return elements_follow(*node.operands.back(), index);
+    default:
+      return is_elementwise(node.op) &&
+             std::all_of(node.operands.begin(), node.operands.end(), [&](const NodePtr& operand) {
+               return !operand->type.is_array() || elements_follow(*operand, index);
+             });
+  }
+}
 
 /// Assigns hidden variables at most.
 bool has_no_effects(const Node& node) {
@@ -209,19 +208,8 @@ NodePtr make_element(const Node& array, const Node& index) {
       for (std::size_t n = 0; n + 1 < array.operands.size(); ++n) before.push_back(clone(*array.operands[n]));
       return make_sequence(std::move(before), make_element(*array.operands.back(), index), array.where);
     }
-    case Op::Negate:
-    case Op::Add:
-    case Op::Subtract:
-    case Op::Multiply:
-    case Op::Divide:
-    case Op::Remainder:
-    case Op::Select:
-    case Op::Convert:
-    case Op::Saturate:
-    case Op::Abs:
-    case Op::Floor:
-    case Op::Ceil:
-    case Op::Round: {
+    default: {
+      if (!is_elementwise(array.op)) break;
       Nodes operands;
       for (const NodePtr& operand : array.operands) {
         operands.push_back(operand->type.is_array() ? make_element(*operand, index) : clone(*operand));
@@ -230,7 +218,6 @@ NodePtr make_element(const Node& array, const Node& index) {
       node->precise = array.precise;
       return node;
     }
-    default: break;
   }
   throw std::logic_error("an element of what has none of its own");
 }
