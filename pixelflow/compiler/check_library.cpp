@@ -162,8 +162,9 @@ Value Checker::call_library(const ast::Expression& expression) {
   }
   if (arguments.size() < entry->least || arguments.size() > entry->most) {
     std::string range = counted(entry->least, "argument");
-    if (entry->most == kMany) range = std::to_string(entry->least) + " arguments or more";
-    if (entry->most != kMany && entry->most != entry->least) {
+    const bool open = entry->most == kMany && arguments.size() < kMany;
+    if (open) range = std::to_string(entry->least) + " arguments or more";
+    if (!open && entry->most != entry->least) {
       range = std::to_string(entry->least) + " to " + counted(entry->most, "argument");
     }
     return mistake(132, expression.where,
