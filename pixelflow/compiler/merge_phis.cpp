@@ -57,6 +57,45 @@ void check(const ir::Code& code, const std::vector<int>& to, const std::map<int,
   }
 }
 
+/// True where d and the operand have bytes in common but do not begin with the same one.
+bool shifts_within_itself(const ir::Operand& d, const ir::Operand& o) {
+  return d.kind == ir::Operand::Kind::Pixel && o.kind == ir::Operand::Kind::Pixel && d.variable == o.variable &&
+         d.index < 0 && o.index < 0 && d.offset != o.offset && d.offset < o.offset + o.bytes &&
+         o.offset < d.offset + d.bytes;
+}
+
+/// A result lies exactly on an operand or apart from it. Joined versions may shift a number within itself, by whole
+/// bytes: then the operand is copied first.
+void copy_shifted_operands(ir::Code& code) {
+  std::vector<ir::Instruction> all;
+  std::vector<int> to;
+  for (ir::Instruction& instruction : code.code) {
+    for (ir::Operand* o : {&instruction.a, &instruction.b}) {
+      if (!shifts_within_itself(instruction.d, *o)) continue;
+      ir::Variable copy;
+      copy.name = code.variables[o->variable].name + "'";
+      copy.scalar = Scalar::fixed(o->is_signed, 8 * o->bytes, 0);
+      copy.temporary = true;
+      copy.where = instruction.where;
+      const int variable = static_cast<int>(code.variables.size());
+      code.variables.push_back(std::move(copy));
+      ir::Instruction& move = all.emplace_back();
+      move.where = instruction.where;
+      move.a = *o;
+      move.d = *o;
+      move.d.variable = variable;
+      move.d.offset = 0;
+      *o = move.d;
+    }
+    to.push_back(static_cast<int>(all.size()));
+    all.push_back(std::move(instruction));
+  }
+  code.code = std::move(all);
+  for (ir::Instruction& instruction : code.code) {
+    if (instruction.match >= 0) instruction.match = to[instruction.match];
+  }
+}
+
 }  // namespace
 
 void merge_phis(ir::Code& code) {
@@ -81,6 +120,7 @@ void merge_phis(ir::Code& code) {
   code.phis.clear();
   ir::replace_variables(code, to);
   ir::drop_unmentioned_variables(code);
+  copy_shifted_operands(code);
 }
 
 }  // namespace pfman

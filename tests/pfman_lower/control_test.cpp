@@ -36,6 +36,13 @@ TEST(LowerStatements, branches) {
        "r = f < g ? a : b; r2 = u > 2 ? a : b; r3 = (a < b ? a : b) * (f == g ? 2 : 3);"});
 }
 
+TEST(LowerStatements, numbers_shifted_within_themselves) {
+  try_bodies("signed fixed<24,4>",
+             {"signed fixed<19,-2> w = 0; if (u > 5) r2 = 1; else w *= signed fixed<9,9>(0.00390625); if (w) r = 1;",
+              "signed fixed<40,8> w = a; if (a < b) w *= fixed<9,9>(0.00390625); r = w; if (w < 0) r2 = 1;",
+              "fixed<32,16> w = v[0]; uniform int i; for (i = 0; i < k_i; i++) { if (v[1] > 9) w = w >> 8; } r = w;"});
+}
+
 TEST(LowerStatements, loops) {
   try_bodies(
       "signed fixed<24,4>",
