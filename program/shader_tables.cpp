@@ -219,6 +219,8 @@ Table pixelflow4(const std::filesystem::path& data) {
     }
     // What a shader writer sees of it: the paper does not say whether it counts the compiler's own variables.
     cells.push_back(cell(row, "varying_of_the_source", shader.code.source_bytes, note));
+    cells.push_back(
+        cell(row, "saved_percent_of_the_source", share(shader.code.source_bytes, map.allocated_bytes), note));
     table.cells.insert(table.cells.end(), cells.begin(), cells.end());
   };
   const Rows published_rows = rows(file, "table4", {"simple_brick", "fancy_brick", "ripple_reflection", "wood_planks"});
