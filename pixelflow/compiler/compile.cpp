@@ -16,11 +16,7 @@ CompiledShader compile_shader(const Tree& tree, const Shader& shader, const Opti
   compiled.code = lower(tree, shader, {.fuse = options.fuse}, diagnostics);
   if (diagnostics.has_errors()) return compiled;
   mark_shared_phong(compiled.code, shader);
-  to_ssa(compiled.code, diagnostics);
-  merge_phis(compiled.code);
-  if (options.drop_unused) drop_unused(compiled.code);
-  if (options.join_copies) join_copies(compiled.code);
-  compiled.map = allocate(compiled.code, {.share = options.share_memory}, diagnostics);
+  run_passes(compiled, options, diagnostics);
   return compiled;
 }
 
@@ -39,6 +35,14 @@ std::unique_ptr<CompiledUnit> compile(ast::Unit syntax, const Options& options, 
 }
 
 }  // namespace
+
+void run_passes(CompiledShader& compiled, const Options& options, Diagnostics& diagnostics) {
+  to_ssa(compiled.code, diagnostics);
+  merge_phis(compiled.code);
+  if (options.drop_unused) drop_unused(compiled.code);
+  if (options.join_copies) join_copies(compiled.code);
+  compiled.map = allocate(compiled.code, {.share = options.share_memory}, diagnostics);
+}
 
 const CompiledShader* CompiledUnit::find(const std::string& name) const {
   for (const CompiledShader& shader : shaders) {

@@ -32,6 +32,9 @@ struct CompiledShader {
   const Tree* tree = nullptr;      ///< the unit's
 };
 
+/// The passes behind lower(), from straight code to memory.
+void run_passes(CompiledShader& compiled, const Options& options, Diagnostics& diagnostics);
+
 struct CompiledUnit {
   ast::Unit syntax;
   Tree tree;

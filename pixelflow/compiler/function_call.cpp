@@ -5,7 +5,7 @@
 
 #include "pixelflow/compiler/build.h"
 #include "pixelflow/compiler/externals.h"
-#include "pixelflow/compiler/lifetime.h"
+#include "pixelflow/compiler/ir_access.h"
 #include "pixelflow/compiler/lower.h"
 #include "pixelflow/compiler/memory_layout.h"
 #include "pixelflow/compiler/stage_walker.h"
@@ -89,20 +89,6 @@ class CallShader {
   std::vector<std::unique_ptr<Variable>> variables_;
 };
 
-/// Mask bits begin where the caller's end.
-void add_mask_bytes(ir::Code& code, int free_mask_bit) {
-  constexpr int kBits = 8;
-  while (free_mask_bit + code.mask_bits > kBits * (1 + static_cast<int>(code.mask_bytes.size()))) {
-    ir::Variable byte;
-    byte.name = "mask" + std::to_string(code.mask_bytes.size() + 1);
-    byte.scalar = Scalar::fixed(false, kBits, 0);
-    byte.temporary = true;
-    byte.where = code.where;
-    code.mask_bytes.push_back(static_cast<int>(code.variables.size()));
-    code.variables.push_back(std::move(byte));
-  }
-}
-
 CompiledShader compile_call(const Tree& tree, const CallShader& call, const Function& function, int free_mask_bit) {
   Diagnostics diagnostics;
   CompiledShader compiled;
@@ -110,12 +96,9 @@ CompiledShader compile_call(const Tree& tree, const CallShader& call, const Func
   compiled.tree = &tree;
   compiled.code = lower(tree, call.shader(), {}, diagnostics);
   if (!diagnostics.has_errors()) {
-    if (compiled.code.mask_bits > 0) add_mask_bytes(compiled.code, free_mask_bit);
-    to_ssa(compiled.code, diagnostics);
-    merge_phis(compiled.code);
-    drop_unused(compiled.code);
-    join_copies(compiled.code);
-    compiled.map = allocate(compiled.code, {}, diagnostics);
+    // Mask bits begin where the caller's end.
+    if (compiled.code.mask_bits > 0) ir::add_mask_bytes(compiled.code, free_mask_bit + compiled.code.mask_bits);
+    run_passes(compiled, {}, diagnostics);
   }
   for (const Diagnostic& diagnostic : diagnostics.all()) {
     if (diagnostic.is_error()) refuse(function, diagnostic.text);

@@ -117,6 +117,19 @@ void drop_unmentioned_variables(Code& code) {
   code.variables.resize(next);
 }
 
+void add_mask_bytes(Code& code, int bits) {
+  constexpr int kBits = 8;
+  while (bits > kBits * (1 + static_cast<int>(code.mask_bytes.size()))) {
+    Variable byte;
+    byte.name = "mask" + std::to_string(code.mask_bytes.size() + 1);
+    byte.scalar = Scalar::fixed(false, kBits, 0);
+    byte.temporary = true;
+    byte.where = code.where;
+    code.mask_bytes.push_back(static_cast<int>(code.variables.size()));
+    code.variables.push_back(std::move(byte));
+  }
+}
+
 void keep_instructions(Code& code, const std::vector<bool>& keep) {
   std::vector<int> to(code.code.size() + 1);
   int next = 0;

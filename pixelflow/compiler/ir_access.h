@@ -65,6 +65,8 @@ std::vector<int> used_at_end(const Code& code);
 void replace_variables(Code& code, const std::vector<int>& to);
 /// Drops variables that nothing mentions any more, and numbers the others anew.
 void drop_unmentioned_variables(Code& code);
+/// Gives the code mask bytes of its own for the mask bits that the shared byte does not hold.
+void add_mask_bytes(Code& code, int bits);
 /// Keeps the instructions i with keep[i]; those that go must not be the goal of a match that stays.
 void keep_instructions(Code& code, const std::vector<bool>& keep);
 

@@ -1,12 +1,11 @@
 #include "pixelflow/compiler/lower.h"
 
+#include "pixelflow/compiler/ir_access.h"
 #include "pixelflow/compiler/lowering.h"
 #include "pixelflow/compiler/memory_layout.h"
 
 namespace pfman {
 namespace {
-
-constexpr int kBitsOfMaskByte = 8;
 
 /// The position as it lies in the shared area; a shader that declares it in another type has a variable of its own too.
 bool is_position(const Variable& variable) {
@@ -48,10 +47,7 @@ ir::Code Lowering::run() {
   declare_parameters();
   lower_body(shader_.body);
   finish_colour();
-  for (int bits = kBitsOfMaskByte; bits < code_.mask_bits; bits += kBitsOfMaskByte) {
-    const std::string name = "mask" + std::to_string(bits / kBitsOfMaskByte);
-    code_.mask_bytes.push_back(add_variable(name, Scalar::fixed(false, kBitsOfMaskByte, 0), 1, true));
-  }
+  ir::add_mask_bytes(code_, code_.mask_bits);
   return std::move(code_);
 }
 
