@@ -1,4 +1,6 @@
 // vsg shader: a file of shaders compiled, described, and shown on a test surface.
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
@@ -319,13 +321,21 @@ void add_picture_options(CLI::App& command, ShaderOptions& options) {
       ->type_name("LIGHT")
       ->allow_extra_args(false)
       ->group("Picture");
-  const auto number = [&](const char* name, double& value, const char* text) {
-    command.add_option(name, value, text)->capture_default_str()->type_name("X")->group("Picture");
+  const auto number = [&](const char* name, double& value, const char* text, double least, double most) {
+    command.add_option(name, value, text)
+        ->capture_default_str()
+        ->type_name("X")
+        ->check([=](const std::string& word) {
+          double x = 0;  // also refuses what is no number: no comparison with it holds
+          if (CLI::detail::lexical_cast(word, x) && x >= least && x <= most) return std::string();
+          return fmt::format("'{}' is not a number from {} to {}", word, least, most);
+        })
+        ->group("Picture");
   };
-  number("--distance", options.view.distance, "Of the shape; at 1 a height of 2 fills the picture");
-  number("--turn", options.view.turn, "Degrees about the upright axis");
-  number("--tilt", options.view.tilt, "Degrees about the level axis, the upper side away");
-  number("--extent", options.view.extent, "Half of a plane's side");
+  number("--distance", options.view.distance, "Of the shape; at 1 a height of 2 fills the picture", 0.01, 1000);
+  number("--turn", options.view.turn, "Degrees about the upright axis", -360, 360);
+  number("--tilt", options.view.tilt, "Degrees about the level axis, the upper side away", -360, 360);
+  number("--extent", options.view.extent, "Half of a plane's side", 0.001, 1000);
   add_pixel_options(command, options.pixels);
   command.add_option("--threads", options.threads, "Threads for regions; the picture does not depend on it")
       ->check(CLI::Range(1, kMostThreads).description(""))

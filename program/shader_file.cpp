@@ -1,6 +1,7 @@
 #include "program/shader_file.h"
 
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <stdexcept>
@@ -32,7 +33,7 @@ double number(const std::string& word, const std::string& assignment) {
   double value = 0;
   const char* const end = word.data() + word.size();
   const auto [stop, error] = std::from_chars(word.data(), end, value);
-  if (word.empty() || error != std::errc() || stop != end) {
+  if (word.empty() || error != std::errc() || stop != end || !std::isfinite(value)) {
     refuse("'" + assignment + "': '" + word + "' is no number; NAME=NUMBER,NUMBER... is wanted");
   }
   return value;

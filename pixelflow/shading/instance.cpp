@@ -54,8 +54,8 @@ void Instance::set_raw(const std::string& parameter, const Raw& raw) {
   if (is_rebuilt(parameter)) throw std::invalid_argument("'" + parameter + "' is found on the shading node");
   const auto count = static_cast<std::size_t>(variable.type.count());
   if (raw.size() != count) {
-    throw std::invalid_argument("parameter '" + parameter + "' has " + std::to_string(count) + " numbers, not " +
-                                std::to_string(raw.size()));
+    throw std::invalid_argument("parameter '" + parameter + "' has " + std::to_string(count) +
+                                (count == 1 ? " number, not " : " numbers, not ") + std::to_string(raw.size()));
   }
   if (!variable.type.varying) {
     uniforms_[parameter] = raw;

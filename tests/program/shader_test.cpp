@@ -108,6 +108,8 @@ TEST_F(ShaderCommand, SetsValues) {
   EXPECT_EQ(result.err, "error: 'paint=1,2': parameter 'paint' has 3 numbers, not 2\n");
   EXPECT_EQ(shader({"--set", "scale=1x"}).err,
             "error: 'scale=1x': '1x' is no number; NAME=NUMBER,NUMBER... is wanted\n");
+  EXPECT_EQ(shader({"--set", "scale=nan"}).err,
+            "error: 'scale=nan': 'nan' is no number; NAME=NUMBER,NUMBER... is wanted\n");
   EXPECT_EQ(shader({"--set", "scale"}).err, "error: 'scale': NAME=NUMBER,NUMBER... is wanted\n");
 }
 
@@ -168,6 +170,11 @@ TEST_F(ShaderCommand, ShowsTheSurfaceAtEveryLevel) {
 TEST_F(ShaderCommand, RefusesWhatItCannotShow) {
   EXPECT_EQ(shader({"-o", "x.png", "--size", "0x9"}).err,
             "error: --size wants WIDTHxHEIGHT, each from 1 to 8192 samples, not '0x9'\n");
+  for (const std::string bad : {"nan", "0", "inf", "far"}) {
+    const Outcome result = shader({"-o", "x.png", "--distance", bad});
+    EXPECT_EQ(result.status, 1);
+    EXPECT_THAT(result.err, testing::HasSubstr("'" + bad + "' is not a number from 0.01 to 1000"));
+  }
   EXPECT_EQ(shader({"-o", "x.png", "--light", "tiny"}).err, "error: 'tiny' is no light\n");
   EXPECT_EQ(shader({"-o", "x.png", "--shader", "lamp"}).err,
             "tiny.pfman: error: a picture needs a surface, and there is none\n");
