@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "pixelflow/compiler/check.h"
 #include "pixelflow/compiler/lifetime.h"
 #include "pixelflow/compiler/listing.h"
 #include "pixelflow/compiler/lower.h"

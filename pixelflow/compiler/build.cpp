@@ -241,4 +241,17 @@ bool is_pure(const Node& node) {
   return std::all_of(node.operands.begin(), node.operands.end(), [](const NodePtr& part) { return is_pure(*part); });
 }
 
+StatementPtr make_statement(Statement::Kind kind, Location where) {
+  auto statement = std::make_unique<Statement>();
+  statement->kind = kind;
+  statement->where = where;
+  return statement;
+}
+
+StatementPtr make_evaluate(NodePtr expression) {
+  StatementPtr statement = make_statement(Statement::Kind::Evaluate, expression->where);
+  statement->expression = std::move(expression);
+  return statement;
+}
+
 }  // namespace pfman

@@ -35,6 +35,9 @@ NodePtr make_sequence(Nodes before, NodePtr value, Location where);
 NodePtr make_convert(NodePtr node, const Scalar& to);
 NodePtr to_float(NodePtr node);
 
+StatementPtr make_statement(Statement::Kind kind, Location where);
+StatementPtr make_evaluate(NodePtr expression);
+
 /// Whether the elements of an expression without effects are expressions of its operands' elements. One that is_pure()
 /// may be asked for several elements, others assign hidden variables each time.
 bool has_elements(const Node& array, const Node& index);

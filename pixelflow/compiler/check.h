@@ -11,8 +11,4 @@ namespace pfman {
 /// diagnostics.has_errors() is false.
 Tree check(const ast::Unit& unit, Diagnostics& diagnostics);
 
-/// The top-down pass over all fixed-point expressions (section 6.3.2; the rules are in docs/pfman.md). check() has set
-/// every node's `exact` bottom-up type; this one sets `type` and `under`. Error E210.
-void size_fixed(Tree& tree, Diagnostics& diagnostics);
-
 }  // namespace pfman

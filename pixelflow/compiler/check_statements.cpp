@@ -5,19 +5,6 @@ namespace pfman {
 
 using Kind = ast::Statement::Kind;
 
-StatementPtr make_statement(Statement::Kind kind, Location where) {
-  auto statement = std::make_unique<Statement>();
-  statement->kind = kind;
-  statement->where = where;
-  return statement;
-}
-
-StatementPtr make_evaluate(NodePtr expression) {
-  StatementPtr statement = make_statement(Statement::Kind::Evaluate, expression->where);
-  statement->expression = std::move(expression);
-  return statement;
-}
-
 void Checker::statement(const ast::Statement& statement, Statements& out, bool top_level) {
   switch (statement.kind) {
     case Kind::Declaration:

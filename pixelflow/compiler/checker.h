@@ -143,7 +143,5 @@ class Checker {
 };
 
 bool is_library_function(const std::string& name);
-StatementPtr make_statement(Statement::Kind kind, Location where);
-StatementPtr make_evaluate(NodePtr expression);
 
 }  // namespace pfman

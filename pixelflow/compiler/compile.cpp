@@ -4,6 +4,7 @@
 #include "pixelflow/compiler/lifetime.h"
 #include "pixelflow/compiler/lower.h"
 #include "pixelflow/compiler/shared_phong.h"
+#include "pixelflow/compiler/size_fixed.h"
 
 namespace pfman {
 namespace {

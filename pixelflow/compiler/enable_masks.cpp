@@ -20,7 +20,6 @@ using pixelflow::To;
 using pixelflow::ZMode;
 using Kind = ir::Instruction::Kind;
 
-constexpr int kBitsOfByte = 8;
 bool is_masked_loop(const ir::Instruction& i) { return i.kind == Kind::Loop && i.mask >= 0; }
 
 }  // namespace
@@ -70,9 +69,9 @@ int EnableMasks::bits_within(int first, int last) const {
 int EnableMasks::address(std::size_t byte) const { return byte == 0 ? kMaskAt : deep_[byte - 1]; }
 
 int EnableMasks::set_bit(Region& region, int bit) const {
-  const auto byte = static_cast<std::size_t>(bit / kBitsOfByte);
+  const auto byte = static_cast<std::size_t>(bit / kMaskByteBits);
   if (byte >= region.known.size()) throw std::logic_error("more mask bits than there are bytes for them");
-  region.known[byte] |= 1 << bit % kBitsOfByte;
+  region.known[byte] |= 1 << bit % kMaskByteBits;
   return bit;
 }
 
@@ -84,8 +83,8 @@ EnableMasks::Region EnableMasks::inner(const Region& outer, int bit, int free_bi
 
 void EnableMasks::load_enable(Assembler& out, const Region& region) const {
   if (region.bit < 0) return enable_ids(out, ids_);
-  const int byte = region.bit / kBitsOfByte;
-  out.flag_of_memory(Flag::E, address(static_cast<std::size_t>(byte)), region.bit % kBitsOfByte);
+  const int byte = region.bit / kMaskByteBits;
+  out.flag_of_memory(Flag::E, address(static_cast<std::size_t>(byte)), region.bit % kMaskByteBits);
   // The deeper bytes lie in the shader's own memory: elsewhere they may be anything.
   if (byte > 0 && base_bit_ >= 0) out.flag_of_memory(Flag::E, kMaskAt, base_bit_, false, FlagOp::And);
 }
@@ -103,16 +102,16 @@ void EnableMasks::begin(Region stage, int first, int last, bool everywhere) {
   stage.dirt.assign(stage.known.size(), false);
   base_bit_ = -1;
   if (own_bit) {
-    if (stage.free_bit >= kBitsOfByte) throw std::invalid_argument("no bit of the shared mask byte is left");
+    if (stage.free_bit >= kMaskByteBits) throw std::invalid_argument("no bit of the shared mask byte is left");
     base_bit_ = stage.bit = set_bit(stage, stage.free_bit++);
   }
   const int bits = stage.free_bit + bits_within(first, last);
-  if (bits > stage.free_bit && bits > kBitsOfByte * static_cast<int>(stage.known.size())) {
+  if (bits > stage.free_bit && bits > kMaskByteBits * static_cast<int>(stage.known.size())) {
     throw std::logic_error("more mask bits than there are bytes for them");
   }
   out_.bare([&](Assembler& out) {
     if (own_bit) out.store_constant(stage.known[0], kMaskAt);
-    for (int byte = 1; byte * kBitsOfByte < bits && bits > stage.free_bit; ++byte) {
+    for (int byte = 1; byte * kMaskByteBits < bits && bits > stage.free_bit; ++byte) {
       out.store_constant(0, address(static_cast<std::size_t>(byte)));
     }
   });

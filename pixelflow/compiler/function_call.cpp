@@ -17,14 +17,6 @@ namespace {
   throw std::invalid_argument("function '" + function.name + "': " + what);
 }
 
-StatementPtr evaluation(NodePtr expression) {
-  auto statement = std::make_unique<Statement>();
-  statement->kind = Statement::Kind::Evaluate;
-  statement->where = expression->where;
-  statement->expression = std::move(expression);
-  return statement;
-}
-
 NodePtr read(Variable& variable) { return make_read(&variable, variable.where); }
 
 NodePtr assignment(Variable& target, NodePtr value) {
@@ -54,11 +46,11 @@ class CallShader {
       // What comes in and what goes out are two variables: the first has its place given.
       outputs.push_back(add(*parameter, Variable::Role::Parameter));
       outputs.back()->output = true;
-      shader_.body.push_back(evaluation(assignment(*outputs.back(), read(*variable))));
+      shader_.body.push_back(make_evaluate(assignment(*outputs.back(), read(*variable))));
       call->operands.push_back(read(*outputs.back()));
     }
     if (function.result.is_void) {
-      shader_.body.push_back(evaluation(std::move(call)));
+      shader_.body.push_back(make_evaluate(std::move(call)));
     } else {
       Variable result;
       result.name = "result";
@@ -67,7 +59,7 @@ class CallShader {
       outputs.push_back(add(result, Variable::Role::Parameter));
       outputs.back()->type.varying = true;
       outputs.back()->output = true;
-      shader_.body.push_back(evaluation(assignment(*outputs.back(), std::move(call))));
+      shader_.body.push_back(make_evaluate(assignment(*outputs.back(), std::move(call))));
     }
     for (Variable* output : outputs) shader_.parameters.push_back({output, nullptr, true});
   }

@@ -34,10 +34,7 @@ Environment start(const CompiledShader& shader, const GenerateInput& input) {
     clear(variable);
     const auto given = input.uniforms.find(variable->name);
     if (given != input.uniforms.end()) {
-      if (given->second.size() != static_cast<std::size_t>(variable->type.count())) {
-        throw std::invalid_argument("parameter '" + variable->name + "' has " + std::to_string(variable->type.count()) +
-                                    " numbers, not " + std::to_string(given->second.size()));
-      }
+      check_count(*variable, given->second);
       environment[variable] = given->second;
     } else if (parameter.initial) {
       environment[variable] = default_value(parameter, environment);
@@ -95,6 +92,13 @@ Streams generate(const CompiledShader& shader, const GenerateInput& input) {
   for (const Stream& stream : streams.illum) count_cycles(stream, streams);
   count_cycles(streams.post, streams);
   return streams;
+}
+
+void check_count(const Variable& parameter, const Raw& value) {
+  const int count = parameter.type.count();
+  if (value.size() == static_cast<std::size_t>(count)) return;
+  throw std::invalid_argument("parameter '" + parameter.name + "' has " + std::to_string(count) +
+                              (count == 1 ? " number, not " : " numbers, not ") + std::to_string(value.size()));
 }
 
 }  // namespace pfman

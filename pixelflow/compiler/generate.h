@@ -54,6 +54,9 @@ struct GenerateInput {
   friend bool operator==(const GenerateInput&, const GenerateInput&) = default;
 };
 
+/// Throws std::invalid_argument where a parameter's value does not have as many scalars as its type.
+void check_count(const Variable& parameter, const Raw& value);
+
 /// A varying argument: where it lies in pixel memory, and its type.
 struct PixelVariable {
   std::uint8_t address = 0;

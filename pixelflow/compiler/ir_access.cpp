@@ -118,11 +118,10 @@ void drop_unmentioned_variables(Code& code) {
 }
 
 void add_mask_bytes(Code& code, int bits) {
-  constexpr int kBits = 8;
-  while (bits > kBits * (1 + static_cast<int>(code.mask_bytes.size()))) {
+  while (bits > kMaskByteBits * (1 + static_cast<int>(code.mask_bytes.size()))) {
     Variable byte;
     byte.name = "mask" + std::to_string(code.mask_bytes.size() + 1);
-    byte.scalar = Scalar::fixed(false, kBits, 0);
+    byte.scalar = Scalar::fixed(false, kMaskByteBits, 0);
     byte.temporary = true;
     byte.where = code.where;
     code.mask_bytes.push_back(static_cast<int>(code.variables.size()));

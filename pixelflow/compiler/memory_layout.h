@@ -20,13 +20,14 @@ constexpr int kLightDirectionAt = kLightColorAt - 6;           ///< S(16,14)[3],
 constexpr int kColorAt = kLightDirectionAt;
 /// Mask bits 0 to 7: zero between streams. A shader that nests deeper has more mask bytes in its own part.
 constexpr int kMaskAt = kLightDirectionAt - 1;
+constexpr int kMaskByteBits = 8;
 constexpr int kPositionAt = kMaskAt - 12;  ///< float[3], in eye space, rebuilt from depth before any shading
 constexpr int kSharedAt = kPositionAt;
 constexpr int kCommunicationBytes = pixelflow::kMemoryBytes - kSharedAt;
 
 /// Packets of the composition network that a pixel's parameters may fill at 30 frames per second of 1280 x 1024 pixels
-/// (section 6.2), and the bytes that each carries beside the depth of 4 bytes.
+/// (section 6.2), and the bytes that each carries beside the depth.
 constexpr int kMostPackets = 5;
-constexpr int kPacketPayload = pixelflow::kPacketBytes - 4;
+constexpr int kPacketPayload = pixelflow::kPacketBytes - pixelflow::kDepthBytes;
 
 }  // namespace pfman

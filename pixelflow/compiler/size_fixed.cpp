@@ -6,7 +6,6 @@
 
 #include <algorithm>
 
-#include "pixelflow/compiler/check.h"
 #include "pixelflow/compiler/host.h"
 #include "pixelflow/compiler/host_numbers.h"
 

@@ -52,11 +52,7 @@ void Instance::set(const std::string& parameter, const std::vector<double>& valu
 void Instance::set_raw(const std::string& parameter, const Raw& raw) {
   const Variable& variable = *find(*shader_, parameter).variable;
   if (is_rebuilt(parameter)) throw std::invalid_argument("'" + parameter + "' is found on the shading node");
-  const auto count = static_cast<std::size_t>(variable.type.count());
-  if (raw.size() != count) {
-    throw std::invalid_argument("parameter '" + parameter + "' has " + std::to_string(count) +
-                                (count == 1 ? " number, not " : " numbers, not ") + std::to_string(raw.size()));
-  }
+  check_count(variable, raw);
   if (!variable.type.varying) {
     uniforms_[parameter] = raw;
     return;

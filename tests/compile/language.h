@@ -1,6 +1,8 @@
 // What the language's tests share: texts in, tokens, trees and messages out.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <string>
 
 #include "pixelflow/language/parser.h"
@@ -26,6 +28,15 @@ inline Result preprocess(const std::string& text, const pfman::ParseOptions& opt
   result.messages = diagnostics.text();
   return result;
 }
+
+/// Of a text that there is nothing to say about.
+inline std::string tokens(const std::string& text) {
+  const Result result = preprocess(text);
+  EXPECT_EQ(result.messages, "") << text;
+  return result.text;
+}
+
+inline std::string messages(const std::string& text) { return preprocess(text).messages; }
 
 inline Result parse(const std::string& text) {
   pfman::Diagnostics diagnostics;

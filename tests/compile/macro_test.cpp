@@ -6,16 +6,10 @@
 
 namespace {
 
+using pfman_tests::messages;
 using pfman_tests::preprocess;
+using pfman_tests::tokens;
 using testing::HasSubstr;
-
-std::string tokens(const std::string& text) {
-  const auto result = preprocess(text);
-  EXPECT_EQ(result.messages, "") << text;
-  return result.text;
-}
-
-std::string messages(const std::string& text) { return preprocess(text).messages; }
 
 TEST(language_macros, object_like) {
   EXPECT_EQ(tokens("#define N 3\n#define M N + N\nM N;"), "3 + 3 3 ;");

@@ -11,16 +11,10 @@
 
 namespace {
 
+using pfman_tests::messages;
 using pfman_tests::preprocess;
+using pfman_tests::tokens;
 using testing::HasSubstr;
-
-std::string tokens(const std::string& text) {
-  const auto result = preprocess(text);
-  EXPECT_EQ(result.messages, "") << text;
-  return result.text;
-}
-
-std::string messages(const std::string& text) { return preprocess(text).messages; }
 
 /// A folder of files that lives as long as the test.
 class Folder {

@@ -8,6 +8,7 @@
 
 #include "pixelflow/compiler/check.h"
 #include "pixelflow/compiler/host.h"
+#include "pixelflow/compiler/size_fixed.h"
 #include "pixelflow/language/parser.h"
 #include "pixelflow/microcode/library.h"
 

@@ -17,8 +17,6 @@ using Kind = pfman::ir::Instruction::Kind;
 
 namespace {
 
-constexpr int kMemory = 256;
-
 bool is_pixel(const Operand& o) { return o.kind == Operand::Kind::Pixel; }
 
 pixelflow::Operand placed(const Operand& o, int place) {
@@ -52,8 +50,8 @@ PixelMachine::PixelMachine(const pfman::ir::Code& code, Circumstances circumstan
 PixelMachine::PixelMachine(const pfman::ir::Code& code, Circumstances circumstances, const pfman::MemoryMap& map,
                            const pfman::Lifetimes& lifetimes)
     : code_(code), circumstances_(circumstances), map_(&map), lifetimes_(&lifetimes), base_(map.address) {
-  memory_.assign(kMemory, 0);
-  overwrite(0, kMemory);
+  memory_.assign(pixelflow::kMemoryBytes, 0);
+  overwrite(0, pixelflow::kMemoryBytes);
 }
 
 void PixelMachine::overwrite(int first, int end) {
@@ -62,7 +60,7 @@ void PixelMachine::overwrite(int first, int end) {
 }
 
 void PixelMachine::overwrite_dead(int at) {
-  std::vector<bool> holds(kMemory, false);
+  std::vector<bool> holds(pixelflow::kMemoryBytes, false);
   lifetimes_->before().each(at, [&](int v) {
     for (int n = 0; n < bytes_of(v); ++n)
       holds[static_cast<std::size_t>(base_[static_cast<std::size_t>(v)] + n)] = true;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "pixelflow/compiler/check.h"
+#include "pixelflow/compiler/size_fixed.h"
 #include "pixelflow/language/ast.h"
 
 namespace pfman_tests {
