@@ -10,21 +10,38 @@ namespace {
 
 constexpr double kLargestDepthRatio = 1e9;
 
-TransformKey key_at(const std::vector<TransformKey>& keys, double moment) {
+/// The value of keys at a moment: mix(a, b, t) between two of them.
+template <typename Key, typename Mix>
+Key key_at(const std::vector<Key>& keys, double moment, Mix mix) {
   const auto after =
-      std::upper_bound(keys.begin(), keys.end(), moment, [](double m, const TransformKey& k) { return m < k.frame; });
+      std::upper_bound(keys.begin(), keys.end(), moment, [](double m, const Key& k) { return m < k.frame; });
   if (after == keys.begin()) return keys.front();
   if (after == keys.end()) return keys.back();
-  const TransformKey &a = *(after - 1), &b = *after;
-  const double t = (moment - a.frame) / (b.frame - a.frame);
-  return {moment, glm::mix(a.translate, b.translate, t), glm::mix(a.rotate, b.rotate, t),
-          glm::mix(a.scale, b.scale, t)};
+  const Key &a = *(after - 1), &b = *after;
+  return mix(a, b, (moment - a.frame) / (b.frame - a.frame));
 }
 
 }  // namespace
 
+Camera camera_at(const Scene& scene, double moment) {
+  if (scene.camera_keys.empty()) return scene.camera;
+  return key_at(scene.camera_keys, moment,
+                [](const CameraKey& a, const CameraKey& b, double t) {
+                  CameraKey key = a;
+                  key.camera.position = glm::mix(a.camera.position, b.camera.position, t);
+                  key.camera.target = glm::mix(a.camera.target, b.camera.target, t);
+                  key.camera.up = glm::mix(a.camera.up, b.camera.up, t);
+                  key.camera.field_of_view = glm::mix(a.camera.field_of_view, b.camera.field_of_view, t);
+                  key.camera.height = glm::mix(a.camera.height, b.camera.height, t);
+                  return key;
+                })
+      .camera;
+}
+
+glm::dmat4 view_matrix(const Camera& c) { return glm::lookAtRH(c.position, c.target, c.up); }
+
 glm::dmat4 camera_matrix(const Camera& c, double aspect) {
-  const glm::dmat4 view = glm::lookAtRH(c.position, c.target, c.up);
+  const glm::dmat4 view = view_matrix(c);
   if (c.projection == Projection::kPerspective) {
     return glm::perspectiveRH_NO(glm::radians(c.field_of_view), aspect, c.near, c.far) * view;
   }
@@ -33,7 +50,10 @@ glm::dmat4 camera_matrix(const Camera& c, double aspect) {
 }
 
 glm::dmat4 object_matrix(const std::vector<TransformKey>& keys, double moment) {
-  const TransformKey key = key_at(keys, moment);
+  const TransformKey key = key_at(keys, moment, [](const TransformKey& a, const TransformKey& b, double t) {
+    return TransformKey{0, glm::mix(a.translate, b.translate, t), glm::mix(a.rotate, b.rotate, t),
+                        glm::mix(a.scale, b.scale, t)};
+  });
   glm::dmat4 m = glm::translate(glm::dmat4(1), key.translate);
   m = glm::rotate(m, glm::radians(key.rotate.z), glm::dvec3(0, 0, 1));
   m = glm::rotate(m, glm::radians(key.rotate.y), glm::dvec3(0, 1, 0));

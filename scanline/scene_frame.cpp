@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <span>
 
 #include "scanline/camera.h"
 #include "scanline/clipper.h"
@@ -14,9 +16,9 @@ namespace {
 constexpr double kLargestCoordinate = 1e12;
 
 /// Attributes of all objects by name; each object says which of its own goes where.
-void declare_attributes(const Scene& scene, SceneFrame& result) {
-  for (const Object& object : scene.objects) {
-    for (const MeshAttribute& a : object.mesh.attributes) {
+void declare_attributes(std::span<const Mesh* const> meshes, SceneFrame& result) {
+  for (const Mesh* mesh : meshes) {
+    for (const MeshAttribute& a : mesh->attributes) {
       const auto known = std::find_if(result.attributes.begin(), result.attributes.end(),
                                       [&](const FrameAttribute& f) { return f.name == a.name; });
       if (known == result.attributes.end()) {
@@ -31,10 +33,13 @@ void declare_attributes(const Scene& scene, SceneFrame& result) {
 /// One object on its way into the frame.
 class ObjectProcessor {
  public:
-  ObjectProcessor(const Scene& scene, std::uint32_t index, double moment, const glm::dmat4& world_to_clip,
-                  SceneFrame& result)
-      : object_(scene.objects[index]), index_(index), result_(result), first_(first_corners(object_.mesh.polygons)) {
-    const glm::dmat4 to_world = object_matrix(object_.keys, moment);
+  ObjectProcessor(const Scene& scene, std::uint32_t index, const Mesh& mesh, const glm::dmat4& to_world,
+                  const glm::dmat4& world_to_clip, SceneFrame& result)
+      : object_(scene.objects[index]),
+        mesh_(mesh),
+        index_(index),
+        result_(result),
+        first_(first_corners(mesh_.polygons)) {
     const double determinant = glm::determinant(glm::dmat3(to_world));
     flat_ = determinant == 0;
     mirrored_ = determinant < 0;
@@ -47,8 +52,8 @@ class ObjectProcessor {
     std::vector<double> corners = corner_values();
     Clipper clipper(std::move(clip_), world_, std::move(corners), stride_);
     numbers_.assign(clipper.vertex_count(), 0);
-    for (std::uint32_t p = 0; p < object_.mesh.polygons.size(); ++p) {
-      const std::vector<ClipLoop>& loops = clipper.clip(object_.mesh.polygons[p], first_[p]);
+    for (std::uint32_t p = 0; p < mesh_.polygons.size(); ++p) {
+      const std::vector<ClipLoop>& loops = clipper.clip(mesh_.polygons[p], first_[p]);
       if (loops.empty()) continue;
       numbers_.resize(clipper.vertex_count(), 0);
       const glm::dvec3 normal = world_normal(p);
@@ -59,9 +64,9 @@ class ObjectProcessor {
  private:
   void transform(const glm::dmat4& to_world, const glm::dmat4& world_to_clip) {
     normal_matrix_ = glm::transpose(glm::inverse(glm::dmat3(to_world)));
-    world_.reserve(object_.mesh.positions.size());
-    clip_.reserve(object_.mesh.positions.size());
-    for (const glm::dvec3& position : object_.mesh.positions) {
+    world_.reserve(mesh_.positions.size());
+    clip_.reserve(mesh_.positions.size());
+    for (const glm::dvec3& position : mesh_.positions) {
       const glm::dvec3 world(to_world * glm::dvec4(position, 1));
       const glm::dvec4 clip = world_to_clip * glm::dvec4(world, 1);
       for (int k = 0; k < 4; ++k) {
@@ -77,7 +82,7 @@ class ObjectProcessor {
 
   /// All attributes of corner 0, then of corner 1...; normals already in world space.
   std::vector<double> corner_values() {
-    const std::vector<MeshAttribute>& attributes = object_.mesh.attributes;
+    const std::vector<MeshAttribute>& attributes = mesh_.attributes;
     stride_ = 0;
     sources_.assign(result_.attributes.size(), {});
     for (const MeshAttribute& a : attributes) {
@@ -105,7 +110,7 @@ class ObjectProcessor {
 
   glm::dvec3 world_normal(std::uint32_t polygon) {
     points_.clear();
-    for (const std::uint32_t v : object_.mesh.polygons[polygon]) points_.push_back(world_[v]);
+    for (const std::uint32_t v : mesh_.polygons[polygon]) points_.push_back(world_[v]);
     const glm::dvec3 normal = newell_vector(points_);
     const double length = glm::length(normal) * (mirrored_ ? -1 : 1);
     return length == 0 ? glm::dvec3(0) : normal / length;
@@ -165,11 +170,11 @@ class ObjectProcessor {
   /// depends on the view.
   void check_polygons() {
     std::size_t crossing = 0, first_crossing = 0, uneven = 0, first_uneven = 0;
-    const PolygonList& polygons = object_.mesh.polygons;
+    const PolygonList& polygons = mesh_.polygons;
     for (std::size_t p = 0; p < polygons.size(); ++p) {
       if (polygons[p].size() < 4) continue;
       points_.clear();
-      for (const std::uint32_t v : polygons[p]) points_.push_back(object_.mesh.positions[v]);
+      for (const std::uint32_t v : polygons[p]) points_.push_back(mesh_.positions[v]);
       if (unevenness(points_) > kPlanarTolerance && uneven++ == 0) first_uneven = p + 1;
       if (crosses_itself(points_) && crossing++ == 0) first_crossing = p + 1;
     }
@@ -191,6 +196,7 @@ class ObjectProcessor {
   };
 
   const Object& object_;
+  const Mesh& mesh_;
   std::uint32_t index_;
   SceneFrame& result_;
   std::vector<std::uint32_t> first_;
@@ -204,6 +210,19 @@ class ObjectProcessor {
   std::vector<std::uint32_t> numbers_;  ///< of the frame's vertices, from 1; 0: not used so far
 };
 
+Viewer viewer_of(const Camera& camera, const glm::dmat4& to_world, int height) {
+  const glm::dmat4 to_object = glm::inverse(to_world);
+  Viewer viewer;
+  viewer.perspective = camera.projection == Projection::kPerspective;
+  viewer.position = glm::dvec3(to_object * glm::dvec4(camera.position, 1));
+  viewer.pixel_angle = 2 * std::tan(glm::radians(camera.field_of_view) / 2) / height;
+  // An object that is scaled unevenly is looked at along its largest scale.
+  const glm::dmat3 axes(to_world);
+  const double scale = std::max({glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2])});
+  viewer.pixel_size = camera.height / height / scale;
+  return viewer;
+}
+
 }  // namespace
 
 SceneFrame make_scene_frame(const Scene& scene, double moment, int width, int height) {
@@ -216,10 +235,26 @@ SceneFrame make_scene_frame(const Scene& scene, double moment, int width, int he
   SceneFrame result;
   result.frame.width = width + 2;
   result.frame.height = height + 1;
-  declare_attributes(scene, result);
-  const glm::dmat4 world_to_clip = camera_matrix(scene.camera, static_cast<double>(width) / height);
+  const Camera camera = camera_at(scene, moment);
+  const std::string fault = camera_fault(camera);
+  if (!fault.empty()) throw UserError({"", 0, 0, "frame " + std::to_string(moment) + ": " + fault});
+  const glm::dmat4 world_to_clip = camera_matrix(camera, static_cast<double>(width) / height);
+
+  std::vector<glm::dmat4> to_world;
+  std::deque<Mesh> made;
+  std::vector<const Mesh*> meshes;
+  for (const Object& object : scene.objects) {
+    to_world.push_back(object_matrix(object.keys, moment));
+    if (object.source && glm::determinant(glm::dmat3(to_world.back())) != 0) {
+      made.push_back(object.source->mesh(viewer_of(camera, to_world.back(), height)));
+      meshes.push_back(&made.back());
+    } else {
+      meshes.push_back(&object.mesh);
+    }
+  }
+  declare_attributes(meshes, result);
   for (std::uint32_t k = 0; k < scene.objects.size(); ++k) {
-    ObjectProcessor(scene, k, moment, world_to_clip, result).run();
+    ObjectProcessor(scene, k, *meshes[k], to_world[k], world_to_clip, result).run();
   }
   result.first_corner = first_corners(result.frame.polygons);
   return result;

@@ -33,6 +33,11 @@ class SceneReader {
     if (!mistakes_.list.empty()) throw UserError(mistakes_.list);  // other keys may mean something else then
     read_picture(table);
     if (auto camera = table.table("camera", "the camera")) read_camera(*camera);
+    if (auto fields = table.table("fields", "the fields' work")) {
+      scene_.fields.shadows = fields->boolean("shadows", false);
+      scene_.fields.reflections = fields->boolean("reflections", false);
+      fields->finish();
+    }
     if (auto sequence = table.table("sequence", "the sequence")) read_sequence(*sequence);
     table.tables("light", "light", [&](TomlTable& light) { read_light(light); });
     if (!table.has("object")) mistakes_.list.push_back({mistakes_.file, 0, 0, "the scene has no object"});
@@ -77,9 +82,31 @@ class SceneReader {
     if (c.projection == Projection::kOrthographic) c.height = t.number("height", c.height);
     c.near = t.number("near", c.near);
     c.far = t.number("far", c.far);
+    t.tables("keys", "key of the camera", [&](TomlTable& k) { read_camera_key(k); });
     t.finish();
+    if (!scene_.camera_keys.empty()) return;
     const std::string fault = camera_fault(c);
     if (!fault.empty() && mistakes_.list.size() == before) mistakes_.add(t.where(), fault);
+  }
+
+  /// What a key does not say is as the camera has it.
+  void read_camera_key(TomlTable& t) {
+    const std::size_t before = mistakes_.list.size();
+    CameraKey key{0, scene_.camera};
+    Camera& c = key.camera;
+    if (!t.has("frame")) t.missing("frame");
+    key.frame = t.number("frame", 0, {-kLastFrame, kLastFrame});
+    if (!scene_.camera_keys.empty() && key.frame <= scene_.camera_keys.back().frame) {
+      mistakes_.add(t.where("frame"), "keys must stand in the order of their frames, each once");
+    }
+    c.position = t.vector<3>("position", c.position);
+    c.target = t.vector<3>("target", c.target);
+    c.up = t.vector<3>("up", c.up);
+    if (c.projection == Projection::kPerspective) c.field_of_view = t.number("field_of_view", c.field_of_view);
+    if (c.projection == Projection::kOrthographic) c.height = t.number("height", c.height);
+    const std::string fault = camera_fault(c);
+    if (!fault.empty() && mistakes_.list.size() == before) mistakes_.add(t.where(), fault);
+    scene_.camera_keys.push_back(key);
   }
 
   void read_sequence(TomlTable& t) {
@@ -88,11 +115,18 @@ class SceneReader {
     if (scene_.last_frame < scene_.first_frame) {
       mistakes_.add(t.where("last"), "'last' of the sequence must not be less than 'first'");
     }
+    scene_.frame_rate = t.number("rate", scene_.frame_rate, kPositive);
     t.finish();
   }
 
   void read_light(TomlTable& t) {
     Light light;
+    if (auto shader = t.table("shader", "the light's shader")) {
+      // A light of the shading language has its parameters there: other keys are unknown here.
+      read_shader(*shader, light.shader.emplace());
+      scene_.lights.push_back(light);
+      return;
+    }
     const std::size_t kind = t.choice("kind", {"directional", "point", "ambient"}, 0);
     light.kind = static_cast<Light::Kind>(kind);
     if (light.kind == Light::Kind::kDirectional) {
@@ -116,7 +150,10 @@ class SceneReader {
     }
     read_keys(t, object);
     if (auto shader = t.table("shader", "the shader")) read_shader(*shader, object.shader);
-    object.mesh = read_geometry(t, folder_);
+    Geometry geometry = read_geometry(t, folder_);
+    object.mesh = std::move(geometry.mesh);
+    object.source = std::move(geometry.source);
+    object.field = std::move(geometry.field);
     scene_.objects.push_back(std::move(object));
   }
 
@@ -152,6 +189,8 @@ class SceneReader {
   void read_shader(TomlTable& t, ShaderCall& shader) {
     if (!t.has("name")) t.missing("name");
     shader.name = t.text("name", shader.name);
+    shader.line = static_cast<int>(t.where().begin.line);
+    if (t.has("file")) shader.file = folder_ / t.text("file", "");
     if (auto parameters = t.table("parameters", "the shader's parameters")) {
       for (const auto& [key, value] : parameters->all()) read_parameter(shader, std::string(key.str()), value);
     }

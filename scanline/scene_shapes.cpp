@@ -132,17 +132,18 @@ Mesh read_named_file(TomlTable& t, const std::filesystem::path& folder, Read rea
 
 }  // namespace
 
-Mesh read_geometry(TomlTable& object, const std::filesystem::path& folder) {
+Geometry read_geometry(TomlTable& object, const std::filesystem::path& folder) {
   static const std::vector<std::string> kinds{"mesh", "shape", "patches"};
   if (!object.has("geometry")) object.missing("geometry");
   switch (object.choice("geometry", kinds, kinds.size())) {
-    case 0: return read_named_file(object, folder, read_mesh_file);
-    case 1: return read_shape(object);
+    case 0: return {read_named_file(object, folder, read_mesh_file), {}, {}};
+    case 1: return {read_shape(object), {}, {}};
     case 2: {
       const int level = object.integer("level", 6, 1, 256);
-      return read_named_file(object, folder, [&](const std::filesystem::path& path) {
+      const auto read = [&](const std::filesystem::path& path) {
         return tessellate(read_patches(read_text_file(path), path.string()), level);
-      });
+      };
+      return {read_named_file(object, folder, read), {}, {}};
     }
     default: object.ignore_unknown(); return {};
   }

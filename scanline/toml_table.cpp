@@ -76,6 +76,14 @@ int TomlTable::integer(std::string_view key, int fallback, int low, int high) {
   return fallback;
 }
 
+bool TomlTable::boolean(std::string_view key, bool fallback) {
+  const toml::node* n = node(key);
+  if (!n) return fallback;
+  if (n->is_boolean()) return *n->value<bool>();
+  wrong(*n, key, "true or false");
+  return fallback;
+}
+
 std::string TomlTable::text(std::string_view key, const std::string& fallback) {
   const toml::node* n = node(key);
   if (!n) return fallback;

@@ -44,6 +44,7 @@ class TomlTable {
   // Each returns the fallback when the key is missing or wrong; what is wrong has been noted then.
   double number(std::string_view key, double fallback, const Range& range = {});
   int integer(std::string_view key, int fallback, int low, int high);
+  bool boolean(std::string_view key, bool fallback);
   std::string text(std::string_view key, const std::string& fallback);
   /// One of `names`; its index.
   std::size_t choice(std::string_view key, const std::vector<std::string>& names, std::size_t fallback);
