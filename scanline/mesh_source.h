@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <vector>
 
 #include "scanline/mesh.h"
 
@@ -18,8 +19,10 @@ struct Viewer {
 class MeshSource {
  public:
   virtual ~MeshSource() = default;
-  /// The same mesh for the same viewer. All meshes of a source have the same attributes.
+  /// The same mesh for the same viewer.
   virtual Mesh mesh(const Viewer& viewer) const = 0;
+  /// What the corners of every mesh of the source carry.
+  virtual std::vector<MeshBuilder::Attribute> attributes() const = 0;
 };
 
 }  // namespace scanline
