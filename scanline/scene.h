@@ -90,6 +90,7 @@ struct Scene {
   std::vector<Object> objects;
   std::vector<Light> lights;
   FieldWork fields;
+  std::map<int, std::filesystem::path> textures;  ///< images that parameters name by number instead of by file
   glm::dvec3 background{0};
   int first_frame = 1, last_frame = 1;  ///< of the sequence that the keys describe
   double frame_rate = 30;               ///< frames a second of the sequence: px_shader_time is frame / frame_rate
