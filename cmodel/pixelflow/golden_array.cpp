@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 
@@ -18,14 +19,14 @@ int elements_of_groups(std::uint32_t groups, const PixelRow& tile) {
   return elements;
 }
 
-void check_size(std::size_t given, int lanes) {
-  if (given != static_cast<std::size_t>(lanes)) {
-    throw std::invalid_argument("the array has " + std::to_string(lanes) + " elements, not " + std::to_string(given));
+void check_size(std::size_t given, int elements) {
+  if (given != static_cast<std::size_t>(elements)) {
+    throw std::invalid_argument(std::to_string(elements) + " elements of the array work, not " + std::to_string(given));
   }
 }
 
-void check_packets(std::size_t given, int lanes) {
-  const auto all = static_cast<std::size_t>(lanes) * kPacketBytes;
+void check_packets(std::size_t given, int elements) {
+  const auto all = static_cast<std::size_t>(elements) * kPacketBytes;
   if (given != all) {
     throw std::invalid_argument("the array's packets have " + std::to_string(all) + " bytes in all, not " +
                                 std::to_string(given));
@@ -46,7 +47,7 @@ void check_address(int address) {
 }  // namespace
 
 GoldenArray::GoldenArray(Level level, int lanes, int multiplier_bits)
-    : level_(level), lanes_(lanes), multiplier_bits_(multiplier_bits) {
+    : level_(level), lanes_(lanes), covered_(lanes), working_(lanes), multiplier_bits_(multiplier_bits) {
   if (level == Level::Rtl) throw std::invalid_argument("the golden model has the levels model and macro");
   if (lanes < 1 || lanes > kRegionWidth * kRegionHeight) {
     throw std::invalid_argument("an array has 1 to " + std::to_string(kRegionWidth * kRegionHeight) +
@@ -58,6 +59,7 @@ GoldenArray::GoldenArray(Level level, int lanes, int multiplier_bits)
   }
   if (level == Level::Macro) check_host_arithmetic();
   sent_.resize(static_cast<std::size_t>(lanes) * kPacketBytes);
+  own_won_.resize(static_cast<std::size_t>(lanes));
   for (int first = 0; first < lanes; first += PixelRow::kLanes) {
     PixelRow& tile = tiles_.emplace_back(std::min(PixelRow::kLanes, lanes - first));
     for (int n = 0; n < tile.lanes(); ++n) {
@@ -67,32 +69,54 @@ GoldenArray::GoldenArray(Level level, int lanes, int multiplier_bits)
   }
 }
 
+void GoldenArray::cover(int elements) {
+  if (elements < 1 || elements > lanes_) {
+    throw std::invalid_argument("1 to " + std::to_string(lanes_) + " elements of the array can work, not " +
+                                std::to_string(elements));
+  }
+  mode_ = Compose::Own;
+  covered_ = elements;
+  working_ = std::min((elements + kElements - 1) / kElements * kElements, lanes_);
+  int left = working_;
+  for (PixelRow& tile : working_tiles()) {
+    tile.resize(std::min(left, PixelRow::kLanes));
+    left -= tile.lanes();
+  }
+}
+
+std::span<PixelRow> GoldenArray::working_tiles() {
+  return std::span(tiles_).first(static_cast<std::size_t>((working_ + PixelRow::kLanes - 1) / PixelRow::kLanes));
+}
+
 void GoldenArray::write(int address, std::span<const std::uint8_t> bytes) {
   check_address(address);
-  check_size(bytes.size(), lanes_);
-  std::size_t first = 0;
-  for (PixelRow& tile : tiles_) {
-    const auto part = bytes.subspan(first, static_cast<std::size_t>(tile.lanes()));
+  check_size(bytes.size(), covered_);
+  for (PixelRow& tile : working_tiles()) {
+    const auto part = bytes.first(std::min(bytes.size(), static_cast<std::size_t>(tile.lanes())));
     std::copy(part.begin(), part.end(), tile.memory(address));
-    first += part.size();
+    bytes = bytes.subspan(part.size());
   }
 }
 
 void GoldenArray::read(int address, std::span<std::uint8_t> bytes) const {
   check_address(address);
-  check_size(bytes.size(), lanes_);
-  auto to = bytes.begin();
-  for (const PixelRow& tile : tiles_) to = std::copy_n(tile.memory(address), tile.lanes(), to);
+  check_size(bytes.size(), covered_);
+  for (auto tile = tiles_.begin(); !bytes.empty(); ++tile) {
+    const std::size_t part = std::min(bytes.size(), static_cast<std::size_t>(tile->lanes()));
+    std::copy_n(tile->memory(address), part, bytes.begin());
+    bytes = bytes.subspan(part);
+  }
 }
 
 void GoldenArray::place(std::span<const std::uint8_t> columns, std::span<const std::uint8_t> rows) {
-  check_size(columns.size(), lanes_);
-  check_size(rows.size(), lanes_);
-  std::size_t first = 0;
-  for (PixelRow& tile : tiles_) {
-    std::copy_n(columns.begin() + static_cast<std::ptrdiff_t>(first), tile.lanes(), tile.columns());
-    std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(first), tile.lanes(), tile.rows());
-    first += static_cast<std::size_t>(tile.lanes());
+  check_size(columns.size(), covered_);
+  check_size(rows.size(), covered_);
+  for (PixelRow& tile : working_tiles()) {
+    const std::size_t part = std::min(columns.size(), static_cast<std::size_t>(tile.lanes()));
+    std::copy_n(columns.begin(), part, tile.columns());
+    std::copy_n(rows.begin(), part, tile.rows());
+    columns = columns.subspan(part);
+    rows = rows.subspan(part);
   }
 }
 
@@ -143,25 +167,56 @@ void GoldenArray::run(const Program& program) {
     step_cycles.push_back(sum);
     cycles += sum;
   }
-  for (std::size_t tile = 0; tile < tiles_.size(); ++tile) run_tile(program, step_cycles, tile);
+  const auto sends = std::count_if(program.instructions.begin(), program.instructions.end(), is_send);
+  if (mode_ != Compose::Own && sends > 1) throw std::invalid_argument("only one Send of a program can be composed");
+  for (std::size_t tile = 0; tile < working_tiles().size(); ++tile) run_tile(program, step_cycles, tile);
+  if (sends > 0) mode_ = Compose::Own;
   counters_.cycles += cycles;
   counters_.instructions += program.instructions.size();
   counters_.element_cycles += cycles * static_cast<std::uint64_t>(lanes_);
 }
 
 void GoldenArray::load(std::span<const std::uint8_t> packets) {
-  check_packets(packets.size(), lanes_);
-  const std::uint8_t* from = packets.data();
-  for (PixelRow& tile : tiles_) {
-    for (int n = 0; n < tile.lanes(); ++n, from += kPacketBytes) {
-      for (int byte = 0; byte < kPacketBytes; ++byte) tile.inbound(byte)[n] = from[byte];
+  check_packets(packets.size(), covered_);
+  const std::uint8_t *from = packets.data(), *const end = from + packets.size();
+  for (PixelRow& tile : working_tiles()) {
+    for (int n = 0; n < tile.lanes(); ++n) {
+      for (int byte = 0; byte < kPacketBytes; ++byte) tile.inbound(byte)[n] = from != end ? from[byte] : 0;
+      if (from != end) from += kPacketBytes;
     }
   }
 }
 
+void GoldenArray::compose(Compose closer_or_repeat, std::span<const std::uint8_t> upstream) {
+  if (closer_or_repeat != Compose::Closer && closer_or_repeat != Compose::Repeat) {
+    throw std::invalid_argument("a program's packets are composed by Closer or Repeat");
+  }
+  check_packets(upstream.size(), covered_);
+  mode_ = closer_or_repeat;
+  upstream_.assign(static_cast<std::size_t>(working_) * kPacketBytes, 0);
+  std::copy(upstream.begin(), upstream.end(), upstream_.begin());
+}
+
 void GoldenArray::sent(std::span<std::uint8_t> packets) const {
-  check_packets(packets.size(), lanes_);
-  std::copy(sent_.begin(), sent_.end(), packets.begin());
+  check_packets(packets.size(), covered_);
+  std::copy_n(sent_.begin(), packets.size(), packets.begin());
+}
+
+void GoldenArray::send_packets(PixelRow& tile, std::size_t first) {
+  for (std::size_t n = 0; n < static_cast<std::size_t>(tile.lanes()); ++n) {
+    const std::size_t element = first + n;
+    std::uint8_t* const to = sent_.data() + element * kPacketBytes;
+    for (int byte = 0; byte < kPacketBytes; ++byte) to[byte] = tile.outbound(byte)[n];
+    if (mode_ == Compose::Own) continue;
+    const std::uint8_t* const upstream = upstream_.data() + element * kPacketBytes;
+    if (mode_ == Compose::Closer) {
+      // The most significant byte comes last.
+      const auto depth = [](const std::uint8_t* packet) { return std::reverse_iterator(packet + kDepthBytes); };
+      own_won_[element] = std::lexicographical_compare(depth(to), depth(to) + kDepthBytes, depth(upstream),
+                                                       depth(upstream) + kDepthBytes);
+    }
+    if (!own_won_[element]) std::copy_n(upstream, kPacketBytes, to);
+  }
 }
 
 void GoldenArray::run_instructions(std::span<const Instruction> instructions, std::size_t number) {
@@ -171,10 +226,7 @@ void GoldenArray::run_instructions(std::span<const Instruction> instructions, st
     const auto before = static_cast<std::size_t>(send - instructions.begin());
     tile.run(instructions.first(before));
     if (send == instructions.end()) return;
-    std::uint8_t* to = sent_.data() + number * PixelRow::kLanes * kPacketBytes;
-    for (int n = 0; n < tile.lanes(); ++n) {
-      for (int byte = 0; byte < kPacketBytes; ++byte) *to++ = tile.outbound(byte)[n];
-    }
+    send_packets(tile, number * PixelRow::kLanes);
     instructions = instructions.subspan(before + 1);
   }
 }

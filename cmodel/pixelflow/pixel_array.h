@@ -25,13 +25,22 @@ struct ArrayCounters {
   friend bool operator==(const ArrayCounters&, const ArrayCounters&) = default;
 };
 
+/// What a composition port passes on (pixelflow_pkg::compose_e).
+enum class Compose { Own, Closer, Upstream, Repeat };
+
 class PixelArray {
  public:
   virtual ~PixelArray() = default;
 
   virtual int lanes() const = 0;
-  /// One byte of memory of every element: `bytes` holds lanes() of them. Throws std::invalid_argument for a wrong size
-  /// or address.
+  /// From now on the first `elements` elements work alone, and rows and packets below are those of these. The chips
+  /// that none of them belongs to do nothing and keep what they have; the others work as a whole, with zeros for
+  /// packets that are not given. At first all elements work. Packets to be loaded or composed are given afterwards.
+  /// Throws std::invalid_argument for numbers below 1 or above lanes().
+  virtual void cover(int elements) = 0;
+  virtual int covered() const = 0;
+  /// One byte of memory of every element: `bytes` holds covered() of them. Throws std::invalid_argument for a wrong
+  /// size or address.
   virtual void write(int address, std::span<const std::uint8_t> bytes) = 0;
   virtual void read(int address, std::span<std::uint8_t> bytes) const = 0;
   /// Column and row of every element; at first its place in the region, counted row by row.
@@ -41,7 +50,12 @@ class PixelArray {
   // The communication buffers: kPacketBytes bytes an element, one element after another.
   /// Packets that the next program with a WaitInbound finds.
   virtual void load(std::span<const std::uint8_t> packets) = 0;
-  /// Packets as the last Send found them; zero before the first.
+  /// The packets of the next program with a Send meet those of the node before: the closer one of each element leaves
+  /// (depth in the first kDepthBytes bytes, equal depths go to upstream), or the same one as the last time. Throws
+  /// std::invalid_argument for Own and Upstream, which compare nothing. That program has one Send, otherwise run()
+  /// throws std::invalid_argument.
+  virtual void compose(Compose closer_or_repeat, std::span<const std::uint8_t> upstream) = 0;
+  /// Packets as the last Send found them, or as they left the composition port; zero before the first.
   virtual void sent(std::span<std::uint8_t> packets) const = 0;
   virtual Registers registers(int lane) const = 0;
   virtual ArrayCounters counters() const = 0;

@@ -12,7 +12,7 @@ namespace pixelflow {
 
 using namespace vectors;
 
-PixelRow::PixelRow(int lanes) : lanes_(lanes), vectors_((lanes + kWidth - 1) / kWidth) {
+PixelRow::PixelRow(int lanes) : made_lanes_(lanes), lanes_(lanes), vectors_((lanes + kWidth - 1) / kWidth) {
   if (lanes < 1 || lanes > kLanes) {
     throw std::invalid_argument("a tile has 1 to " + std::to_string(kLanes) + " elements, not " +
                                 std::to_string(lanes));
@@ -23,6 +23,24 @@ PixelRow::PixelRow(int lanes) : lanes_(lanes), vectors_((lanes + kWidth - 1) / k
 PixelRow::PixelRow(PixelRow&&) noexcept = default;
 PixelRow& PixelRow::operator=(PixelRow&&) noexcept = default;
 PixelRow::~PixelRow() = default;
+
+void PixelRow::resize(int lanes) {
+  if (lanes < 1 || lanes > made_lanes_ || (lanes != made_lanes_ && lanes % kGroup != 0)) {
+    throw std::invalid_argument("a tile of " + std::to_string(made_lanes_) + " elements cannot have " +
+                                std::to_string(lanes));
+  }
+  // W's rows back to where they were at first: those who rest have not turned with the others.
+  State& t = *state_;
+  for (int at = 0; at < padded_lanes() && wide_first_ != 0; at += kWidth) {
+    Bytes bytes[4];
+    for (int n = 0; n < 4; ++n) bytes[n] = load(wide(n) + at);
+    for (int n = 0; n < 4; ++n) store(t.w[n] + at, bytes[n]);
+  }
+  wide_first_ = 0;
+  lanes_ = lanes;
+  vectors_ = (lanes + kWidth - 1) / kWidth;
+  enable_changed();
+}
 
 int PixelRow::padded_lanes() const { return vectors_ * kWidth; }
 std::uint8_t* PixelRow::memory(int address) { return state_->memory[address]; }

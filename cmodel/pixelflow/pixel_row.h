@@ -23,6 +23,9 @@ class PixelRow {
   ~PixelRow();
 
   int lanes() const { return lanes_; }
+  /// From now on the tile has `lanes` elements; the others keep what they have. Throws std::invalid_argument as the
+  /// constructor does, and where the number is neither a multiple of kGroup nor the one that the tile was made for.
+  void resize(int lanes);
   /// Elements that are really computed: lanes() rounded up to whole vectors of the host. All rows hold this many bytes
   /// at least.
   int padded_lanes() const;
@@ -81,7 +84,7 @@ class PixelRow {
   std::unique_ptr<State> state_;
   mutable EnabledGroups enabled_{};
   mutable bool enabled_known_ = false;
-  int lanes_;
+  int made_lanes_, lanes_;
   int vectors_;         ///< of 64 elements, that hold lanes_
   int wide_first_ = 0;  ///< which of the four rows is W's lowest byte: a shift by eight bits turns the rows
 };

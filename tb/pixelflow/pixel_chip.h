@@ -9,7 +9,7 @@
 #include <memory>
 #include <span>
 
-#include "cmodel/pixelflow/instruction.h"
+#include "cmodel/pixelflow/pixel_array.h"
 
 namespace tb {
 
@@ -28,8 +28,7 @@ struct ChipCounters {
 /// A row of the elements' state: a byte an element, flags 0 or 1.
 enum class ChipRow { Memory, Inbound, Outbound, Column, Row, M, X, E, K, S, Z, C };
 
-/// What the composition port passes on (pixelflow_pkg::compose_e).
-enum class Compose { Own, Closer, Upstream, Repeat };
+using pixelflow::Compose;
 
 /// What lies around a chip while it runs. Everything may be left out: the stream is then offered in every cycle, no
 /// packets come, and every packet that goes out is taken.
