@@ -51,17 +51,17 @@ double fractal(double x, double y, int period, int octaves) {
 }
 
 /// `color` of texture coordinates, of the middle of every texel.
-TextureMemory::Texture make(int size, const std::function<Color(double, double)>& color) {
-  TextureMemory::Texture texture;
-  texture.width = texture.height = size;
+TextureMemory::Image make(int size, const std::function<Color(double, double)>& color) {
+  TextureMemory::Image image;
+  image.width = image.height = size;
   for (int row = 0; row < size; ++row) {
     for (int column = 0; column < size; ++column) {
       for (const double component : color((column + 0.5) / size, (row + 0.5) / size))
-        texture.rgba.push_back(static_cast<std::uint8_t>(std::clamp(component, 0.0, 1.0) * 255 + 0.5));
-      texture.rgba.push_back(255);
+        image.rgba.push_back(static_cast<std::uint8_t>(std::clamp(component, 0.0, 1.0) * 255 + 0.5));
+      image.rgba.push_back(255);
     }
   }
-  return texture;
+  return image;
 }
 
 /// What is seen from the lake in a direction.

@@ -1,7 +1,7 @@
 // Images for test pictures, made by a procedure.
 #pragma once
 
-#include "pixelflow/shading/shading_node.h"
+#include "pixelflow/shading/texture_memory.h"
 
 namespace pfman {
 

@@ -23,7 +23,7 @@ constexpr int kTexcoordAt = pfman::kParametersAt;
 TextureMemory random_textures(std::mt19937_64& random) {
   TextureMemory textures;
   for (const auto& [number, width, height] : {std::array{1, 5, 3}, {2, 1, 1}, {7, 16, 8}}) {
-    TextureMemory::Texture texture{width, height, {}};
+    TextureMemory::Image texture{width, height, {}};
     for (int n = 0; n < width * height * 4; ++n) texture.rgba.push_back(static_cast<std::uint8_t>(random()));
     textures.set(number, std::move(texture));
   }
@@ -125,7 +125,7 @@ TEST(Textures, AreBilinearAndRepeat) {
 
 TEST(Textures, MapDirectionsToASphere) {
   TextureMemory textures;
-  TextureMemory::Texture texture{64, 64, {}};
+  TextureMemory::Image texture{64, 64, {}};
   for (int n = 0; n < 64 * 64; ++n) {
     const auto column = static_cast<std::uint8_t>(n % 64 * 4), row = static_cast<std::uint8_t>(n / 64 * 4);
     texture.rgba.insert(texture.rgba.end(), {column, row, 0, 255});

@@ -29,7 +29,7 @@ class Pictures : public reference::Textures {
   Pictures() {
     Random random(1);
     for (int number = 0; number < 2; ++number) {
-      pfman::TextureMemory::Texture texture{4 << number, 4, {}};
+      pfman::TextureMemory::Image texture{4 << number, 4, {}};
       for (int n = 0; n < 4 * texture.width * texture.height; ++n) {
         texture.rgba.push_back(static_cast<std::uint8_t>(random.bits() >> 32));
       }
