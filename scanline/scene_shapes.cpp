@@ -4,6 +4,7 @@
 #include "scanline/patches.h"
 #include "scanline/polygon.h"
 #include "scanline/shapes.h"
+#include "scanline/terrain/terrain_reader.h"
 #include "scanline/text_reader.h"
 
 namespace scanline {
@@ -133,7 +134,7 @@ Mesh read_named_file(TomlTable& t, const std::filesystem::path& folder, Read rea
 }  // namespace
 
 Geometry read_geometry(TomlTable& object, const std::filesystem::path& folder) {
-  static const std::vector<std::string> kinds{"mesh", "shape", "patches"};
+  static const std::vector<std::string> kinds{"mesh", "shape", "patches", "terrain"};
   if (!object.has("geometry")) object.missing("geometry");
   switch (object.choice("geometry", kinds, kinds.size())) {
     case 0: return {read_named_file(object, folder, read_mesh_file), {}, {}};
@@ -145,6 +146,7 @@ Geometry read_geometry(TomlTable& object, const std::filesystem::path& folder) {
       };
       return {read_named_file(object, folder, read), {}, {}};
     }
+    case 3: return read_terrain(object, folder);
     default: object.ignore_unknown(); return {};
   }
 }
