@@ -120,6 +120,18 @@ void GoldenArray::place(std::span<const std::uint8_t> columns, std::span<const s
   }
 }
 
+void GoldenArray::places(std::span<std::uint8_t> columns, std::span<std::uint8_t> rows) const {
+  check_size(columns.size(), covered_);
+  check_size(rows.size(), covered_);
+  for (auto tile = tiles_.begin(); !columns.empty(); ++tile) {
+    const std::size_t part = std::min(columns.size(), static_cast<std::size_t>(tile->lanes()));
+    std::copy_n(tile->columns(), part, columns.begin());
+    std::copy_n(tile->rows(), part, rows.begin());
+    columns = columns.subspan(part);
+    rows = rows.subspan(part);
+  }
+}
+
 Registers GoldenArray::registers(int lane) const {
   if (lane < 0 || lane >= lanes_) {
     throw std::invalid_argument("the array has " + std::to_string(lanes_) + " elements; there is no element " +

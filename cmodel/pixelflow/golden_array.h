@@ -25,6 +25,7 @@ class GoldenArray : public PixelArray {
   void write(int address, std::span<const std::uint8_t> bytes) override;
   void read(int address, std::span<std::uint8_t> bytes) const override;
   void place(std::span<const std::uint8_t> columns, std::span<const std::uint8_t> rows) override;
+  void places(std::span<std::uint8_t> columns, std::span<std::uint8_t> rows) const override;
   /// Throws std::invalid_argument, before anything is executed, for steps that do not cover the instructions in order
   /// and for operations that check() refuses.
   void run(const Program& program) override;

@@ -45,6 +45,7 @@ class PixelArray {
   virtual void read(int address, std::span<std::uint8_t> bytes) const = 0;
   /// Column and row of every element; at first its place in the region, counted row by row.
   virtual void place(std::span<const std::uint8_t> columns, std::span<const std::uint8_t> rows) = 0;
+  virtual void places(std::span<std::uint8_t> columns, std::span<std::uint8_t> rows) const = 0;
   /// Executes the program in every element, from the registers as they are. E is clear after construction.
   virtual void run(const Program& program) = 0;
   // The communication buffers: kPacketBytes bytes an element, one element after another.

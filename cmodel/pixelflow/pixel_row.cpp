@@ -49,7 +49,9 @@ std::uint8_t* PixelRow::inbound(int index) { return state_->inbound[index]; }
 std::uint8_t* PixelRow::outbound(int index) { return state_->outbound[index]; }
 const std::uint8_t* PixelRow::outbound(int index) const { return state_->outbound[index]; }
 std::uint8_t* PixelRow::columns() { return state_->column; }
+const std::uint8_t* PixelRow::columns() const { return state_->column; }
 std::uint8_t* PixelRow::rows() { return state_->row; }
+const std::uint8_t* PixelRow::rows() const { return state_->row; }
 const std::uint8_t* PixelRow::enable() const { return state_->e; }
 std::uint8_t* PixelRow::condition() { return state_->k; }
 std::uint8_t* PixelRow::wide(int byte) const { return state_->w[(wide_first_ + byte) & 3]; }

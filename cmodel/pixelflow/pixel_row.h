@@ -45,7 +45,9 @@ class PixelRow {
   const std::uint8_t* outbound(int index) const;
   std::uint8_t* outbound(int index);
   std::uint8_t* columns();
+  const std::uint8_t* columns() const;
   std::uint8_t* rows();
+  const std::uint8_t* rows() const;
 
   /// Flags as rows of masks, 0 or 255 an element. Enable is only written by instructions, and by set_registers.
   const std::uint8_t* enable() const;

@@ -74,21 +74,4 @@ bool Instance::is_ordinary(const std::string& parameter) const {
   return is_standard(parameter) && find(*shader_, parameter).variable->type.varying && !bound_.contains(parameter);
 }
 
-const Streams& StreamCache::streams(const CompiledShader& shader, const GenerateInput& input, int user) {
-  for (Entry& entry : entries_) {
-    if (entry.shader != &shader || entry.user != user) continue;
-    if (entry.input == input) {
-      ++reused_;
-    } else {
-      entry.streams = std::make_unique<Streams>(generate(shader, input));
-      entry.input = input;
-      ++made_;
-    }
-    return *entry.streams;
-  }
-  entries_.push_back({&shader, user, input, std::make_unique<Streams>(generate(shader, input))});
-  ++made_;
-  return *entries_.back().streams;
-}
-
 }  // namespace pfman

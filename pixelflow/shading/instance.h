@@ -2,7 +2,6 @@
 #pragma once
 
 #include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -53,26 +52,6 @@ class Instance {
   std::map<std::string, Raw> uniforms_;
   std::map<std::string, Raw> bound_;
   std::vector<std::string> ordinary_;
-};
-
-/// Streams by shader and user (an instance, or several that are shaded together): made when they are first needed, and
-/// made again when the values are others than the last time.
-class StreamCache {
- public:
-  /// The streams stay where they are until the same user's values change.
-  const Streams& streams(const CompiledShader& shader, const GenerateInput& input, int user = 0);
-  int made() const { return made_; }
-  int reused() const { return reused_; }
-
- private:
-  struct Entry {
-    const CompiledShader* shader;
-    int user;
-    GenerateInput input;
-    std::unique_ptr<Streams> streams;
-  };
-  std::vector<Entry> entries_;
-  int made_ = 0, reused_ = 0;
 };
 
 }  // namespace pfman

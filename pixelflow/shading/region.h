@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "cmodel/pixelflow/pixel_array.h"
+#include "pixelflow/compiler/memory_layout.h"
 #include "pixelflow/shading/instance.h"
+#include "pixelflow/shading/stream_cache.h"
 #include "pixelflow/shading/texture_memory.h"
 
 namespace pfman {

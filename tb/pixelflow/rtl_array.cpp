@@ -57,6 +57,16 @@ class RtlArray final : public pixelflow::PixelArray {
       chips_[i / pixelflow::kElements]->place(i % pixelflow::kElements, columns[i], rows[i]);
   }
 
+  void places(std::span<std::uint8_t> columns, std::span<std::uint8_t> rows) const override {
+    check(columns.size());
+    check(rows.size());
+    for (std::size_t c = 0; c < working_chips(); ++c) {
+      const auto to_columns = part_of(columns, c), to_rows = part_of(rows, c);
+      std::ranges::copy(chips_[c]->row(ChipRow::Column).first(to_columns.size()), to_columns.begin());
+      std::ranges::copy(chips_[c]->row(ChipRow::Row).first(to_rows.size()), to_rows.begin());
+    }
+  }
+
   void run(const pixelflow::Program& program) override {
     stream_.assign(program.instructions.begin(), program.instructions.end());
     stream_.push_back({.kind = pixelflow::Kind::Control, .fn = static_cast<std::uint8_t>(Control::End)});
