@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "pixelflow/compiler/host.h"
 #include "pixelflow/compiler/memory_layout.h"
+#include "pixelflow/shading/eye_space.h"
 
 namespace pfman {
 namespace {
@@ -28,7 +28,8 @@ constexpr Material kMaterial[] = {{"px_material_ambient", 0.2},
 
 /// Numbers of a varying parameter at a point; none for a parameter that no rendering node would know.
 std::vector<double> value_at(const TestSurface::Point& point, const std::string& name, int count) {
-  if (name == "px_material_normal") return {point.normal.begin(), point.normal.end()};
+  // A test shape is as smooth as if each pixel had a polygon of its own.
+  if (name == "px_material_normal" || name == "polygon_normal") return {point.normal.begin(), point.normal.end()};
   if (name == "px_shader_texcoord") {
     if (count == 2) return {point.shape.texcoord[0], point.shape.texcoord[1]};
     const Vector& p = point.shape.position;
@@ -98,26 +99,14 @@ std::optional<TestSurface::Point> TestSurface::at(int column, int row) const {
   return point;
 }
 
-std::vector<double> TestSurface::in_eye_space(const ShaderParameter& parameter, std::vector<double> values) const {
-  const ast::Transform transform = parameter.variable->transform;
-  if (values.size() < 3 || transform == ast::Transform::None || transform == ast::Transform::Texture) return values;
-  const Vector turned = rotate({values[0], values[1], values[2]});
-  std::copy(turned.begin(), turned.end(), values.begin());
-  if (transform == ast::Transform::Point) values[2] -= values.size() > 3 ? depth_ * values[3] : depth_;
-  return values;
-}
-
 void TestSurface::place(Instance& instance) const {
-  for (const ShaderParameter& parameter : instance.shader().shader->parameters) {
-    const Variable& variable = *parameter.variable;
-    if (variable.type.varying || variable.transform == ast::Transform::None || !parameter.initial) continue;
-    Environment constants;
-    const auto given = instance.uniforms().find(variable.name);
-    const Raw raw = given != instance.uniforms().end() ? given->second : evaluate(*parameter.initial, constants);
-    std::vector<double> values;
-    for (const std::uint64_t number : raw) values.push_back(to_double(number, variable.type.scalar));
-    instance.set(variable.name, in_eye_space(parameter, values));
+  glm::dmat4 to_eye(1);
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column)
+      to_eye[column][row] = rotation_[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
   }
+  to_eye[3][2] = -depth_;
+  pfman::place(instance, to_eye);
 }
 
 void TestSurface::make_ordinary(Instance& instance) {

@@ -38,12 +38,7 @@ class TestSurface {
   /// What the middle of a pixel shows; rows count from the top.
   std::optional<Point> at(int column, int row) const;
 
-  /// Values that an application gives in the shape's coordinates, in eye space, by the transform attribute of the
-  /// parameter (section 3.1 of the paper); as they are for one without.
-  std::vector<double> in_eye_space(const ShaderParameter& parameter, std::vector<double> values) const;
-
-  /// Sets the uniform parameters of `instance` that have a transform attribute: from the instance's value, or the
-  /// default, both in the shape's coordinates.
+  /// Takes the parameters of `instance` that have a transform attribute from the shape's coordinates to eye space.
   void place(Instance& instance) const;
 
   /// Declares as ordinary the varying parameters that fill() knows: px_material_* and px_shader_texcoord,
