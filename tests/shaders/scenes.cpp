@@ -1,5 +1,7 @@
 #include "tests/shaders/scenes.h"
 
+#include <algorithm>
+
 namespace shader_tests {
 namespace {
 
@@ -13,7 +15,8 @@ pfman::TestView view_of(const std::string& surface) {
     view.tilt = 48;
   }
   if (surface == "bowling_pin") view.shape = pfman::TestShape::Pin;
-  if (surface == "volume_wood" || surface == "opengl_surface") view.shape = pfman::TestShape::Sphere;
+  if (surface == "volume_wood" || surface == "opengl_surface" || surface == "flat" || surface == "plastic")
+    view.shape = pfman::TestShape::Sphere;
   return view;
 }
 
@@ -24,6 +27,9 @@ Instance instance_of(const Compiled& compiled) {
   if (name == "ripple_mirror") instance.set("px_shader_time", {1.25});
   // Many turns of a masked loop take long in the RTL.
   if (name.starts_with("mandelbrot")) instance.set("iterations", {12});
+  // Five lights at once are too much for what is bright all over.
+  const auto is_rgb = [](const pfman::ShaderParameter& parameter) { return parameter.variable->name == "rgb"; };
+  if (std::ranges::any_of(compiled.shader().shader->parameters, is_rgb)) instance.set("rgb", {0.1, 0.15, 0.2});
   if (name == "opengl_surface") {
     instance.set("px_material_specular", {0.7, 0.6, 0.5});
     instance.set("px_material_shininess", {20});
