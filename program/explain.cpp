@@ -21,7 +21,7 @@ struct ExplainOptions {
 };
 
 void run_explain(const ExplainOptions& options) {
-  const auto generator = make_generator(options.generator, {});
+  const auto generator = watkins::make_generator(options.generator, {});
   const scanline::Frame frame = scanline::read_frame_file(options.frame);
   if (options.line < 1 || options.line > frame.height) {
     refuse(fmt::format("--line {}: {} has scan lines 1 to {}", options.line, options.frame, frame.height));

@@ -30,7 +30,10 @@ std::string quoted_command_line(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"vsg: Gary Watkins's Visible Segment Generator (Utah 1970), from a scene to a picture, and PixelFlow's pixel processors", "vsg"};
+  CLI::App app{
+      "vsg: Gary Watkins's Visible Segment Generator (Utah 1970), from a scene to a picture, and PixelFlow's pixel "
+      "processors",
+      "vsg"};
   app.require_subcommand(1);
   app.set_help_flag("-h,--help", "This text");
   app.set_version_flag("--version", VSG_VERSION);

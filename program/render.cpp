@@ -7,28 +7,30 @@
 #include <utility>
 #include <vector>
 
-#include "program/answer_json.h"
 #include "program/commands.h"
+#include "program/generator_options.h"
 #include "program/image_file.h"
 #include "program/number_pair.h"
 #include "program/output_file.h"
-#include "program/parallel.h"
-#include "program/picture_maker.h"
+#include "program/pixel_options.h"
 #include "program/progress.h"
 #include "program/refuse.h"
+#include "program/render_statistics.h"
 #include "program/scene_options.h"
-#include "scanline/flat_shader.h"
+#include "watkins/parallel.h"
+#include "watkins/renderer.h"
 
 namespace program {
 namespace {
 
-constexpr int kMostSamples = 64, kMostThreads = 256;
+constexpr int kMostSamples = 64, kMostThreads = 256, kMostShadingNodes = 1024;
 const std::string kFrameNumber = "%04d";
 
-struct RenderOptions {
+struct Options {
   SceneOptions scene;
-  PictureOptions picture;
-  std::string image, frames, show, stats, pixel_processors;
+  watkins::RenderOptions render;
+  int shading_nodes = 4;  ///< of which --stats tells
+  std::string image, frames, show, stats;
 };
 
 /// The moments that --frames names, or the scene's first.
@@ -46,7 +48,7 @@ std::optional<Moments> parse_frames(const std::string& text) {
 }
 
 /// IMAGE with the frame's number in place of %04d.
-std::string image_name(const RenderOptions& options, int moment) {
+std::string image_name(const Options& options, int moment) {
   std::string name = options.image;
   const std::size_t at = name.find(kFrameNumber);
   if (at == std::string::npos) return name;
@@ -55,28 +57,36 @@ std::string image_name(const RenderOptions& options, int moment) {
   return name.replace(at, kFrameNumber.size(), number);
 }
 
-void check_options(const RenderOptions& options, const std::optional<Moments>& moments) {
-  if (!options.pixel_processors.empty()) {
-    refuse("--pe " + options.pixel_processors + ": this program has no pixel processors; shading is done by the host");
-  }
-  check_generator_options(options.picture.generator);
+void check_options(const Options& options, const std::optional<Moments>& moments) {
+  watkins::check_generator_options(options.render.generator);
+  watkins::check_pixel_options(options.render.pixels);
   const std::size_t at = options.image.find(kFrameNumber);
   const bool numbered = at != std::string::npos && options.image.find('%', at + 1) == std::string::npos;
   if (moments && !numbered) refuse("--frames needs the number's place in IMAGE, once: picture-%04d.png");
   if (!moments && at != std::string::npos) refuse("IMAGE holds " + kFrameNumber + ", but there is no --frames A-B");
-  if (moments && moments->count > 1 && !options.picture.generator.trace.empty()) {
+  if (moments && moments->count > 1 && !options.render.generator.trace.empty()) {
     refuse("--trace writes the waveform of one frame: name one with --frames A-A");
   }
-  if (options.picture.generator.frame_coherence && !moments) {
+  if (options.render.generator.frame_coherence && !moments) {
     refuse("--frame-coherence uses the frame before: it needs a sequence, --frames A-B");
   }
-  if (options.picture.channels && !options.show.empty()) refuse("--channels and --show exclude each other");
+  if (options.render.channels && !options.show.empty()) refuse("--channels and --show exclude each other");
+}
+
+/// --lockstep means every RTL that works: at least one has to.
+void choose_lockstep(Options& options) {
+  watkins::GeneratorOptions& generator = options.render.generator;
+  watkins::PixelOptions& pixels = options.render.pixels;
+  if (!generator.lockstep || !watkins::has_rtl()) return;
+  pixels.lockstep = pixels.level == "rtl";
+  pixels.replay = generator.replay;
+  if (pixels.lockstep && generator.vsg != "rtl") generator.lockstep = false;
 }
 
 /// A place that cannot be written is found before the work begins, for every frame: those that are finished when a
 /// later one fails remain.
-void check_places(const RenderOptions& options, const Moments& moments) {
-  const std::string& trace = options.picture.generator.trace;
+void check_places(const Options& options, const Moments& moments) {
+  const std::string& trace = options.render.generator.trace;
   for (int i = 0; i < moments.count; ++i) {
     const std::string image = image_name(options, moments.first + i);
     refuse_same_file({options.scene.file, image, options.stats, trace});
@@ -85,86 +95,74 @@ void check_places(const RenderOptions& options, const Moments& moments) {
   if (!trace.empty()) OutputFile{trace};
 }
 
-nlohmann::ordered_json frame_statistics(int moment, const MadePicture& made, double writing) {
-  nlohmann::ordered_json frame;
-  frame["frame"] = moment;
-  frame["counters"] = counters_json(made.answer.counters);
-  frame["depth_tests"] = made.answer.depth_tests;
-  frame["samples_stored"] = made.answer.samples_stored;
-  frame["subdivisions"] = made.answer.subdivisions;
-  frame["intersections"] = made.answer.intersections;
-  frame["stale_samples"] = made.answer.stale_samples;
-  frame["unclosed_polygons"] = made.answer.unclosed_polygons;
-  frame["coherence_samples"] = made.answer.coherence_samples;
-  add_rtl_counts(frame, made.answer);
-  auto& references = frame["lines"]["references"] = nlohmann::ordered_json::array();
-  for (const vsg::LineCounts& line : made.answer.lines) references.push_back(line.references);
-  auto& segments = frame["lines"]["segments"] = nlohmann::ordered_json::array();
-  for (const vsg::LineCounts& line : made.answer.lines) segments.push_back(line.segments);
-  frame["times"] = {{"pre_frame", made.times.pre_frame},
-                    {"visible_segments", made.times.visible_segments},
-                    {"shading", made.times.shading},
-                    {"writing", writing}};
-  return frame;
+/// Writes the picture of one moment.
+nlohmann::ordered_json write_frame(const Options& options, const watkins::RenderedFrame& frame,
+                                   const std::vector<std::string>& shaders, int moment, OutputFile& image) {
+  const auto begin = std::chrono::steady_clock::now();
+  write_image(image.partial(), frame.picture, shaders);
+  image.commit();
+  const std::chrono::duration<double> writing = std::chrono::steady_clock::now() - begin;
+  return options.stats.empty() ? nlohmann::ordered_json()
+                               : frame_statistics(moment, frame, options.shading_nodes, writing.count());
 }
 
-/// Makes and writes the picture of one moment.
-nlohmann::ordered_json render_frame(const RenderOptions& options, const scanline::Scene& scene, int moment,
-                                    Progress& progress, WarningPrinter& warnings, scanline::EdgeHistory* history) {
-  OutputFile image(image_name(options, moment));
-  PictureOptions picture_options = options.picture;
+/// Makes and writes the pictures, one after another; visible segments of several moments at once.
+std::vector<nlohmann::ordered_json> render_frames(Options& options, const scanline::Scene& scene,
+                                                  const Moments& moments) {
+  const std::vector<std::string> shaders = scanline::shader_names(scene);
   std::optional<OutputFile> trace;
-  if (!picture_options.generator.trace.empty()) {
-    trace.emplace(picture_options.generator.trace);
-    picture_options.generator.trace = trace->partial();
+  if (!options.render.generator.trace.empty()) {
+    trace.emplace(options.render.generator.trace);
+    options.render.generator.trace = trace->partial();
   }
-  const MadePicture made = [&] {
+  watkins::Renderer renderer(scene, options.scene.file, options.render);
+  WarningPrinter warnings(options.scene.quiet);
+  warnings.print(renderer.shader_warnings());
+  // With coherence each frame waits for what the one before found.
+  std::optional<scanline::EdgeHistory> history;
+  if (options.render.generator.frame_coherence) history.emplace();
+  const int at_once = history ? 1 : std::clamp(options.render.threads, 1, moments.count);
+
+  std::vector<nlohmann::ordered_json> statistics;
+  Progress progress("steps", moments.count * renderer.steps(), options.scene.quiet);
+  renderer.on_step = [&] { progress.advance(); };
+  for (int first = 0; first < moments.count; first += at_once) {
+    const int count = std::min(at_once, moments.count - first);
+    std::vector<std::optional<watkins::VisibleFrame>> visible(static_cast<std::size_t>(count));
     try {
-      return make_picture(
-          scene, options.scene.file, moment, picture_options, [&](int) { progress.advance(); }, history);
+      watkins::for_each_index(count, at_once, [&](int i) {
+        visible[static_cast<std::size_t>(i)] =
+            renderer.find_visible(moments.first + first + i, history ? &*history : nullptr);
+      });
     } catch (const vsg::LockstepError&) {
       if (trace) trace->commit();  // the waveform up to the mismatch is what it was asked for
       throw;
     }
-  }();
-  warnings.print(made.warnings);
-  const auto begin = std::chrono::steady_clock::now();
-  write_image(image.partial(), made.picture, scanline::shader_names(scene));
-  image.commit();
+    for (int i = 0; i < count; ++i) {
+      const int moment = moments.first + first + i;
+      OutputFile image(image_name(options, moment));
+      const watkins::RenderedFrame frame = renderer.shade(std::move(*visible[static_cast<std::size_t>(i)]));
+      warnings.print(frame.warnings);
+      statistics.push_back(write_frame(options, frame, shaders, moment, image));
+    }
+  }
   if (trace) trace->commit();
-  const std::chrono::duration<double> writing = std::chrono::steady_clock::now() - begin;
-  return options.stats.empty() ? nlohmann::ordered_json() : frame_statistics(moment, made, writing.count());
+  return statistics;
 }
 
-void run_render(RenderOptions options) {
+void run_render(Options options) {
   const std::optional<Moments> sequence = parse_frames(options.frames);
   check_options(options, sequence);
-  options.picture.show = scanline::show_named(options.show);
-  check_image_format(options.image, options.picture.channels);
+  options.render.show = scanline::show_named(options.show);
+  check_image_format(options.image, options.render.channels);
   check_places(options, sequence.value_or(Moments{}));
   std::optional<OutputFile> stats;
   if (!options.stats.empty()) stats.emplace(options.stats);
 
   const scanline::Scene scene = read_scene(options.scene);
-  scanline::check_shaders(scene);
-  const std::int64_t samples = options.picture.samples;
+  const std::int64_t samples = options.render.samples;
   check_picture_size(scene.width * samples, scene.height * samples);
-
-  const Moments moments = sequence.value_or(Moments{scene.first_frame, 1});
-  // With coherence each frame waits for what the one before found.
-  std::optional<scanline::EdgeHistory> history;
-  if (options.picture.generator.frame_coherence) history.emplace();
-  const int frame_threads = history ? 1 : std::min(options.picture.threads, moments.count);
-  options.picture.threads /= frame_threads;
-  std::vector<nlohmann::ordered_json> statistics(moments.count);
-  WarningPrinter warnings(options.scene.quiet);
-  {
-    Progress progress("lines", moments.count * (scene.height * samples + 1), options.scene.quiet);
-    for_each_index(moments.count, frame_threads, [&](int i) {
-      statistics[i] =
-          render_frame(options, scene, moments.first + i, progress, warnings, history ? &*history : nullptr);
-    });
-  }
+  const auto statistics = render_frames(options, scene, sequence.value_or(Moments{scene.first_frame, 1}));
   if (stats) {
     nlohmann::ordered_json all;
     all["scene"] = options.scene.file;
@@ -181,8 +179,8 @@ void run_render(RenderOptions options) {
 void add_render(CLI::App& app, const std::string& command_line) {
   auto* command = app.add_subcommand("render", "A scene to a picture, its visible surfaces found by the machine");
   command->group("Pictures");
-  const auto options = std::make_shared<RenderOptions>();
-  options->picture.threads = machine_threads();
+  const auto options = std::make_shared<Options>();
+  options->render.threads = watkins::machine_threads();
 
   add_scene_options(*command, options->scene);
   command
@@ -196,12 +194,12 @@ void add_render(CLI::App& app, const std::string& command_line) {
       ->required()
       ->type_name("IMAGE")
       ->group("Picture");
-  command->add_option("--samples", options->picture.samples, "N x N samples a pixel, averaged")
+  command->add_option("--samples", options->render.samples, "N x N samples a pixel, averaged")
       ->check(CLI::Range(1, kMostSamples).description(""))
       ->capture_default_str()
       ->type_name("N")
       ->group("Picture");
-  command->add_flag("--channels", options->picture.channels, "EXR also holds depth, polygon, shader and normal")
+  command->add_flag("--channels", options->render.channels, "EXR also holds depth, polygon, shader and normal")
       ->group("Picture");
   command
       ->add_option("--show", options->show, "A false-colour picture of where the processor worked (docs/pictures.md)")
@@ -209,19 +207,37 @@ void add_render(CLI::App& app, const std::string& command_line) {
       ->type_name("segments|samples|tests|references")
       ->group("Picture");
 
-  add_generator_options(*command, options->picture.generator, "rtl");
-  options->picture.generator.replay = command_line;
+  add_generator_options(*command, options->render.generator, "rtl");
+  options->render.generator.replay = command_line;
   command
-      ->add_flag("--frame-coherence", options->picture.generator.frame_coherence,
-                 "In a sequence, sample at edges that were visible in the frame before (golden model, then the default)")
+      ->add_flag(
+          "--frame-coherence", options->render.generator.frame_coherence,
+          "In a sequence, sample at edges that were visible in the frame before (golden model, then the default)")
       ->group("Machine");
-  command->add_option("--trace", options->picture.generator.trace, "Write the waveform of the RTL")
+  command->add_option("--trace", options->render.generator.trace, "Write the waveform of the RTL")
       ->type_name("FILE.fst")
       ->group("Machine");
-  // Not in the help while there is nothing to choose from; refused with a reason.
-  command->add_option("--pe", options->pixel_processors)->group("");
+  add_pixel_options(*command, options->render.pixels);
   command
-      ->add_option("--threads", options->picture.threads,
+      ->add_option("--rendering-nodes", options->render.rendering_nodes,
+                   "Nodes that share the polygons; their pixels are composed by depth")
+      ->check(CLI::Range(1, watkins::kMostRenderingNodes).description(""))
+      ->capture_default_str()
+      ->type_name("N")
+      ->group("Machine");
+  command
+      ->add_option("--shading-nodes", options->shading_nodes,
+                   "Nodes that share the regions; the picture does not depend on it")
+      ->check(CLI::Range(1, kMostShadingNodes).description(""))
+      ->capture_default_str()
+      ->type_name("N")
+      ->group("Machine");
+  command
+      ->add_flag("--traced", options->render.traced,
+                 "A sphere tracer finds what is visible instead: a reference for scenes of distance fields")
+      ->group("Machine");
+  command
+      ->add_option("--threads", options->render.threads,
                    "Threads for frames and shading; the picture does not depend on it")
       ->check(CLI::Range(1, kMostThreads).description(""))
       ->capture_default_str()
@@ -232,9 +248,9 @@ void add_render(CLI::App& app, const std::string& command_line) {
       ->type_name("FILE.json")
       ->group("Reports");
   command->callback([options, command] {
-    if (options->picture.generator.frame_coherence && command->count("--vsg") == 0) {
-      options->picture.generator.vsg = "model";  // the only one that has it
-    }
+    watkins::GeneratorOptions& generator = options->render.generator;
+    if (generator.frame_coherence && command->count("--vsg") == 0) generator.vsg = "model";  // the only one that has it
+    choose_lockstep(*options);
     run_render(*options);
   });
 }

@@ -52,4 +52,10 @@ void WarningPrinter::print(const std::vector<scanline::Diagnostic>& warnings) {
   }
 }
 
+void WarningPrinter::print(const std::string& lines) {
+  if (quiet_) return;
+  const std::lock_guard lock(mutex_);
+  std::fputs(lines.c_str(), stderr);
+}
+
 }  // namespace program

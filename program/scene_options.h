@@ -32,6 +32,8 @@ class WarningPrinter {
  public:
   explicit WarningPrinter(bool quiet) : quiet_(quiet) {}
   void print(const std::vector<scanline::Diagnostic>& warnings);
+  /// Lines that are formatted already.
+  void print(const std::string& lines);
 
  private:
   const bool quiet_;

@@ -28,7 +28,7 @@ void run_segments(const SegmentsOptions& options) {
     refuse("--fraction-bits: the width of the RTL is fixed when it is built; use --vsg model");
   }
   parameters.fraction_bits_x = parameters.fraction_bits_z = options.fraction_bits;
-  const auto generator = make_generator(options.generator, parameters);
+  const auto generator = watkins::make_generator(options.generator, parameters);
   const scanline::Frame frame = scanline::read_frame_file(options.frame);
   const vsg::FrameAnswer answer = generate(*generator, frame, options.frame, options.keep_back_faces);
   write_standard_output(options.statistics ? statistics_table(answer) : segments_json(answer));

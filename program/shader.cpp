@@ -17,10 +17,10 @@
 #include "program/image_file.h"
 #include "program/number_pair.h"
 #include "program/output_file.h"
-#include "program/parallel.h"
 #include "program/refuse.h"
 #include "program/shader_file.h"
 #include "program/shader_picture.h"
+#include "watkins/parallel.h"
 
 namespace program {
 namespace {
@@ -350,7 +350,7 @@ void add_shader(CLI::App& app) {
   auto* command = app.add_subcommand("shader", "A pfman file to programs for the pixel processors, and to a picture");
   command->group("PixelFlow");
   const auto options = std::make_shared<ShaderOptions>();
-  options->threads = machine_threads();
+  options->threads = watkins::machine_threads();
   command->add_option("FILE.pfman", options->file, "Surfaces and lights")->required();
   add_report_options(*command, *options);
   add_picture_options(*command, *options);

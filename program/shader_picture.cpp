@@ -5,9 +5,9 @@
 
 #include "pixelflow/compiler/memory_layout.h"
 #include "pixelflow/shading/test_textures.h"
-#include "program/parallel.h"
 #include "program/progress.h"
 #include "program/refuse.h"
+#include "watkins/parallel.h"
 
 namespace program {
 namespace {
@@ -38,7 +38,7 @@ class Workers {
       }
     }
     return std::make_unique<Worker>(
-        Worker{make_array(pixels_, kRegionWidth * kRegionHeight), {{surface_}, lights_, &textures_}});
+        Worker{watkins::make_array(pixels_, kRegionWidth * kRegionHeight), {{surface_}, lights_, &textures_}});
   }
   void give_back(std::unique_ptr<Worker> worker) {
     const std::lock_guard lock(mutex_);
@@ -123,7 +123,7 @@ ShaderPicture shade_picture(const pfman::TestView& picture_view, pfman::Instance
   Workers workers(surface, lights, textures, pixels);
   {
     Progress progress("regions", across * down, quiet);
-    for_each_index(across * down, threads, [&](int region) {
+    watkins::for_each_index(across * down, threads, [&](int region) {
       const int column = region % across * kRegionWidth, row = region / across * kRegionHeight;
       std::unique_ptr<Worker> worker = workers.take();
       test.fill(surface, column, row, *worker->array);

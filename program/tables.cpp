@@ -61,7 +61,7 @@ std::int64_t SceneMeter::sequence_references(const std::string& scene, int first
     const scanline::SceneFrame frame = scanline::make_scene_frame(read, moment, read.width, read.height);
     vsg::FrameBlocks blocks = scanline::make_blocks(frame.frame, parameters, false);
     history.mark(frame, blocks);
-    const vsg::FrameAnswer answer = generate(model, blocks, scene);
+    const vsg::FrameAnswer answer = watkins::generate(model, blocks, scene);
     history.remember(frame, blocks, answer);
     references += answer.counters.segment_references;
   }
@@ -98,7 +98,7 @@ struct TablesOptions {
 bool is_pixelflow(const std::string& name) { return name.starts_with("pixelflow"); }
 
 void run_pixelflow_tables(const TablesOptions& options) {
-  const auto array = make_array(options.pixels, pixelflow::kElements);
+  const auto array = watkins::make_array(options.pixels, pixelflow::kElements);
   const std::filesystem::path data = data_folder(options.data);
   const std::string& name = options.name;
   const bool of_shaders = name == "pixelflow1" || name == "pixelflow4";
@@ -140,7 +140,7 @@ void add_tables(CLI::App& app, const std::string& command_line) {
       run_pixelflow_tables(*options);
       return;
     }
-    const auto generator = make_generator(options->generator, {});
+    const auto generator = watkins::make_generator(options->generator, {});
     SceneMeter meter(data_folder(options->data), *generator);
     run_tables(options->name, options->json, meter);
   });

@@ -15,13 +15,6 @@ const std::vector<double>* as_color(const ParameterValue& value) {
   return numbers && numbers->size() == 3 && std::all_of(numbers->begin(), numbers->end(), in_range) ? numbers : nullptr;
 }
 
-glm::dvec3 color_of(const Object& object) {
-  const auto found = object.shader.parameters.find("color");
-  if (found == object.shader.parameters.end()) return glm::dvec3(kDefaultColor);
-  const std::vector<double>& c = *as_color(found->second);
-  return {c[0], c[1], c[2]};
-}
-
 glm::dvec3 light_at(const Light& light, const glm::dvec3& position, const glm::dvec3& normal) {
   const glm::dvec3 full = light.color * light.intensity;
   if (light.kind == Light::Kind::kAmbient) return full;
@@ -32,30 +25,18 @@ glm::dvec3 light_at(const Light& light, const glm::dvec3& position, const glm::d
 
 }  // namespace
 
-void check_shaders(const Scene& scene) {
-  std::vector<Diagnostic> mistakes;
-  for (const Object& object : scene.objects) {
-    const auto mistake = [&](const std::string& message) {
-      mistakes.push_back({.file = object.file, .line = object.line, .message = message});
-    };
-    if (object.shader.name != "flat") {
-      mistake("unknown shader '" + object.shader.name + "' (known: flat)");
-      continue;
-    }
-    for (const auto& [name, value] : object.shader.parameters) {
-      if (name != "color") {
-        mistake("shader 'flat' has no parameter '" + name + "' (it has: color)");
-      } else if (!as_color(value)) {
-        mistake("parameter 'color' of shader 'flat' wants three numbers from 0 to 1");
-      }
-    }
+glm::dvec3 color_of(const ShaderCall& shader) {
+  for (const char* name : {"color", "rgb"}) {
+    const auto found = shader.parameters.find(name);
+    if (found == shader.parameters.end()) continue;
+    if (const std::vector<double>* c = as_color(found->second)) return {(*c)[0], (*c)[1], (*c)[2]};
   }
-  if (!mistakes.empty()) throw UserError(std::move(mistakes));
+  return glm::dvec3(kDefaultColor);
 }
 
 FlatShader::FlatShader(const Scene& scene, const SceneFrame& frame) {
   std::vector<glm::dvec3> object_colors;
-  for (const Object& object : scene.objects) object_colors.push_back(color_of(object));
+  for (const Object& object : scene.objects) object_colors.push_back(color_of(object.shader));
 
   colors_.reserve(frame.polygons.size() + 1);
   colors_.push_back(to_rgb8(scene.background));

@@ -1,8 +1,8 @@
-// The shader "flat": plain diffuse light on the host, one colour a polygon.
+// Plain diffuse light on the host, one colour a polygon: what false-colour pictures are drawn over.
 //
-// Parameter: color = [r, g, b], 0 to 1, default 0.8 each. A polygon's colour is
-//   color * (ambient lights + sum over the other lights of max(0, N . L) * light color * intensity)
-// with its world normal N; a point light is seen from the middle of the polygon's vertices in the frame.
+// A polygon's colour is color * (ambient lights + sum over the other lights of max(0, N . L) * light color * intensity)
+// with its world normal N; a point light is seen from the middle of the polygon's vertices in the frame, and one of the
+// shading language shines from above.
 #pragma once
 
 #include <vector>
@@ -13,13 +13,11 @@
 
 namespace scanline {
 
-/// Throws UserError, naming the objects' file and line, when the scene asks for shaders or parameters that do not
-/// exist.
-void check_shaders(const Scene& scene);
+/// Parameter `color` or `rgb` of a shader where it is a colour, three numbers from 0 to 1; otherwise 0.8 each.
+glm::dvec3 color_of(const ShaderCall& shader);
 
 class FlatShader final : public ShaderStage {
  public:
-  /// The scene has passed check_shaders.
   FlatShader(const Scene& scene, const SceneFrame& frame);
   void shade(const SpanBand& band, std::span<Rgb8> pixels) const override;
 

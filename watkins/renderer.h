@@ -32,7 +32,6 @@ struct RenderOptions {
   int samples = 1;          ///< samples x samples of them make a pixel
   int threads = 1;          ///< no bit depends on it
   int rendering_nodes = 1;  ///< each has a share of the polygons; 1 to kMostRenderingNodes
-  int shading_nodes = 4;    ///< of n nodes each shades every n-th region; no bit depends on it
   /// A plain sphere tracer finds what is visible instead of the Visible Segment Generator: a reference for scenes of
   /// distance fields alone.
   bool traced = false;
@@ -42,7 +41,7 @@ struct RenderOptions {
 
 constexpr int kMostRenderingNodes = 64;
 
-/// Seconds.
+/// Seconds; of `surfaces` (what pixels show and send) and `shading` the sums over all threads.
 struct StageTimes {
   double pre_frame = 0, visible_segments = 0, surfaces = 0, shading = 0;
 };
@@ -54,8 +53,7 @@ struct FrameCounts {
   std::int64_t samples = 0, covered_samples = 0;
   pfman::RegionCounts sum;  ///< over the covered regions; `packets` and `sources` are the largest of a region
   int largest_map = 0;      ///< bytes of the largest transfer map in use, shader ID included; 142 are the budget
-  std::vector<std::uint64_t> node_cycles;    ///< of each shading node
-  std::uint64_t slowest_region = 0;          ///< cycles
+  std::vector<std::uint64_t> region_cycles;  ///< that a shading node spends on each region, row by row of regions
   int streams_made = 0, streams_reused = 0;  ///< by the frame; streams are kept from frame to frame
   std::int64_t packet_bytes = 0;             ///< from rendering to shading nodes, depth included
   scanline::FieldCost fields;
@@ -64,12 +62,16 @@ struct FrameCounts {
 /// The visible segments of a moment, on their way to shading.
 struct VisibleFrame {
   double moment = 0;
-  std::vector<scanline::SceneFrame> frames;  ///< one a rendering node
+  std::vector<scanline::SceneFrame> frames;         ///< one a rendering node
+  std::vector<std::vector<std::uint32_t>> numbers;  ///< of the nodes' polygons in the whole frame; empty for one node
   std::vector<vsg::FrameAnswer> answers;
-  std::optional<scanline::WorkRecorder> recorder;
+  std::unique_ptr<scanline::WorkRecorder> recorder;  ///< with --show
   std::vector<scanline::Diagnostic> warnings;
   StageTimes times;
 };
+
+/// Cycles of the busiest of `nodes` shading nodes, each of which shades every nodes-th region (section 6.1).
+std::uint64_t busiest_node(const FrameCounts& counts, int nodes);
 
 struct RenderedFrame {
   scanline::Picture picture;

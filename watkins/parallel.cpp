@@ -1,4 +1,4 @@
-#include "program/parallel.h"
+#include "watkins/parallel.h"
 
 #include <algorithm>
 #include <atomic>
@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-namespace program {
+namespace watkins {
 
 void for_each_index(int count, int threads, const std::function<void(int)>& work) {
   std::atomic<int> next{0};
@@ -44,4 +44,4 @@ void for_each_index(int count, int threads, const std::function<void(int)>& work
 
 int machine_threads() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
 
-}  // namespace program
+}  // namespace watkins
