@@ -122,6 +122,18 @@ int allocated_bytes(const ir::Code& code, const Layout& layout, int first) {
   return static_cast<int>(bytes.size());
 }
 
+/// The first byte above what is alive behind the shared lookup.
+int lookup_water(const ir::Code& code, const Lifetimes& lifetimes, const std::vector<int>& address) {
+  int water = kParametersAt;
+  for (int i = 0; i < static_cast<int>(code.code.size()); ++i) {
+    if (code.code[i].kind != ir::Instruction::Kind::Lookup || !code.code[i].shared) continue;
+    lifetimes.after().each(i, [&](int v) {
+      if (address[v] < kSharedAt) water = std::max(water, address[v] + code.variables[v].bytes());
+    });
+  }
+  return water;
+}
+
 }  // namespace
 
 MemoryMap allocate(ir::Code& code, const AllocateOptions& options, Diagnostics& diagnostics) {
@@ -158,6 +170,7 @@ MemoryMap allocate(ir::Code& code, const AllocateOptions& options, Diagnostics& 
   if (code.kind == Shader::Kind::Surface) {
     map.first_free = std::max(kParametersAt + layout.extent, map.parameter_bytes);
     map.high_water = kParametersAt + layout.retained;
+    map.lookup_water = lookup_water(code, lifetimes, map.address);
   } else {
     map.first_free = kSharedAt - layout.extent;
   }

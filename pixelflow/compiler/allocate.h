@@ -14,6 +14,8 @@ struct MemoryMap {
   /// lights grow from kSharedAt down.
   int first_free = 0;
   int high_water = 0;  ///< surface: first byte that lights may use
+  /// Surface with a shared lookup: first byte that others may use between what stands before it and what follows.
+  int lookup_water = 0;
   int peak_bytes = 0;  ///< bytes occupied at the same time, at most: workspaces, mask bytes and live parameters
                        ///< included, shader ID and shared area not
   int peak_at = 0;     ///< instruction of the peak

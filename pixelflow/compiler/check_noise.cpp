@@ -116,6 +116,7 @@ Value Checker::lookup(const std::string& name, Values arguments, Location where)
   node->type.varying = true;
   node->type.rank = 1;
   node->type.dimensions = {name == "texture4" ? 4 : 3, 1};
+  node->shared = in_common_code_;
   return Value::typed(std::move(node));
 }
 

@@ -4,7 +4,8 @@
 // #pragma pfman shared_phong: inputs px_magic_kd[3], px_magic_ks[3], px_magic_exp, results px_magic_diffuse[3],
 // px_magic_highlight[3], all varying floats. #pragma pfman shared_texture: inputs uniform int px_magic_texid and
 // px_magic_texcoord[2], result fixed<8,8> px_magic_texel[4]. The common code, below in the language itself, stands
-// before the first statement of the surface's own block in which a result is named; without one it does not run.
+// before the first statement of the surface's own block in which a result is named, that of shared_texture also before
+// an illuminance in front of it; where no result is named it does not run.
 #include <algorithm>
 #include <stdexcept>
 #include <tuple>
@@ -190,15 +191,18 @@ void Checker::surface_body(const ast::Definition& definition, Statements& out) {
     shared_variable("px_magic_texcoord", real, 2, true, false, out);
     shared_variable("px_magic_texel", Scalar::fixed(false, 8, 8), 4, true, true, out);
   }
+  const std::vector<std::string> texel = {"px_magic_texel"}, sums = {"px_magic_diffuse", "px_magic_highlight"};
+  const auto insert = [&](const std::string& flag) {
+    insert_common(flag, flags.at(flag), out);
+    flags.erase(flag);
+  };
   for (const ast::StatementPtr& one : definition.body->body) {
-    const auto insert = [&](const std::string& flag, std::vector<std::string> results) {
-      const auto wanted = flags.find(flag);
-      if (wanted == flags.end() || !mentions(*one, std::move(results))) return;
-      insert_common(flag, wanted->second, out);
-      flags.erase(wanted);
-    };
-    insert(kTexture, {"px_magic_texel"});
-    insert(kPhong, {"px_magic_diffuse", "px_magic_highlight"});
+    const bool sums_due = flags.contains(kPhong) && mentions(*one, sums);
+    const bool lights_due = sums_due || one->kind == ast::Statement::Kind::Illuminance;
+    // Between the first stage and the last: not behind the illuminance.
+    const bool texel_due = mentions(*one, texel) || (lights_due && mentions(*definition.body, texel));
+    if (flags.contains(kTexture) && texel_due) insert(kTexture);
+    if (sums_due) insert(kPhong);
     statement(*one, out, true);
   }
 }

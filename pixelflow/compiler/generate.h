@@ -16,11 +16,16 @@ namespace pfman {
 
 /// A texture lookup: the program before it has sent s and t, or a direction, in the first bytes of the outbound packet
 /// of every element that is enabled, as floats; the one after it takes 3 or 4 bytes from the beginning of the inbound
-/// packet.
+/// packet. Around a shared lookup the programs neither send nor take anything: the surfaces of a region do it together
+/// (shared_texture.h), and the elements of other shaders may work between the two.
 struct Lookup {
   std::int64_t texture = 0;
   int components = 3;
   bool environment = false;
+  struct Shared {
+    int coordinates = 0, texel = 0;  ///< where they lie
+  };
+  std::optional<Shared> shared;
 };
 
 /// Programs that run one after another, with a lookup behind each but the last.

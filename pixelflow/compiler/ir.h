@@ -94,7 +94,8 @@ struct Instruction {
   int mask = -1;
   bool masked_breaks = false, masked_continues = false;
   bool environment = false;
-  int stage = 0;  ///< Stage: 1 illum, 2 post-illum
+  bool shared = false;  ///< Lookup: together with those of other surfaces; stands in no construct
+  int stage = 0;        ///< Stage: 1 illum, 2 post-illum
   const Function* external = nullptr;
   std::vector<Operand>
       arguments;  ///< External: in the parameters' order; outputs are definitions (and uses: they are copied in).

@@ -85,8 +85,8 @@ void each_stage(const Streams& streams, Visit&& visit) {
 }
 
 std::string lookup_text(const Lookup& lookup) {
-  return std::string(lookup.environment ? "environment " : "texture ") + std::to_string(lookup.texture) + ", " +
-         std::to_string(lookup.components) + " components";
+  return std::string(lookup.shared ? "shared " : "") + std::string(lookup.environment ? "environment " : "texture ") +
+         std::to_string(lookup.texture) + ", " + std::to_string(lookup.components) + " components";
 }
 
 }  // namespace

@@ -134,6 +134,7 @@ Terms Lowering::lower_lookup(const Node& node) {
   ir::Instruction lookup;
   lookup.kind = Kind::Lookup;
   lookup.environment = node.op == Op::Environment;
+  lookup.shared = node.shared;
   lookup.uniform = add_uniform(index_tree(*node.operands[0]));
   lookup.a = whole(gathered(coordinates, Scalar::floating()));
   const int texel = add_variable({}, byte, node.type.count(), true);

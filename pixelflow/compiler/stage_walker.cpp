@@ -45,6 +45,7 @@ StageWalker::StageWalker(const CompiledShader& shader, Environment& environment,
 
 void StageWalker::walk(int first, int last, const std::map<std::string, Raw>* bound, bool colours) {
   out_.at(code_.where);
+  last_ = last;
   masks_.begin_stage(first, last);
   for (const ir::Parameter& parameter : code_.parameters) {
     if (!bound) break;
@@ -165,6 +166,7 @@ int StageWalker::step(int at) {
     case Kind::EndIfMasked: masks_.end_if(); return at + 1;
     case Kind::BreakMasked: masks_.jump(i.match, true); return at + 1;
     case Kind::ContinueMasked: masks_.jump(i.match, false); return at + 1;
+    case Kind::Lookup: return i.shared ? share_lookup(at) : (execute(i), at + 1);
     case Kind::Stage: throw std::logic_error("a stage begins within a stage");
     default: execute(i); return at + 1;
   }
@@ -236,9 +238,20 @@ void StageWalker::operate(const ir::Instruction& i, const pixelflow::Operand& d,
 void StageWalker::look_up(const ir::Instruction& i, const pixelflow::Operand& d, const pixelflow::Operand& a) {
   constexpr int kFloatBytes = 4;
   const int components = code_.variables[static_cast<std::size_t>(i.d.variable)].count;
-  const Lookup lookup{integer(i.uniform), components, i.environment};
+  const Lookup lookup{integer(i.uniform), components, i.environment, {}};
   out_.send(lookup, a.address, kFloatBytes * (i.environment ? 3 : 2));
   out_.receive(d.address, components);
+}
+
+/// Elements of other shaders work in between: what stands before it and what follows are as two stages.
+int StageWalker::share_lookup(int at) {
+  const ir::Instruction& i = instruction(at);
+  const Lookup::Shared places{resolve(i.a).address, resolve(i.d).address};
+  const int components = code_.variables[static_cast<std::size_t>(i.d.variable)].count;
+  masks_.end_stage();
+  out_.share({integer(i.uniform), components, i.environment, places});
+  masks_.begin_stage(at + 1, last_);
+  return at + 1;
 }
 
 ExternalArgument StageWalker::argument(const ir::Operand& operand, const Type& type) {

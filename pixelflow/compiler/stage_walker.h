@@ -55,6 +55,7 @@ class StageWalker {
   void execute(const ir::Instruction& i);
   void operate(const ir::Instruction& i, const pixelflow::Operand& d, const pixelflow::Operand& a,
                const pixelflow::Operand& b);
+  int share_lookup(int at);
   void look_up(const ir::Instruction& i, const pixelflow::Operand& d, const pixelflow::Operand& a);
   void call(const ir::Instruction& i);
   ExternalArgument argument(const ir::Operand& operand, const Type& type);
@@ -65,6 +66,7 @@ class StageWalker {
   StreamWriter out_;
   EnableMasks masks_;
   std::vector<int> iterations_;  ///< of the loops around
+  int last_ = 0;                 ///< end of what is walked
 };
 
 }  // namespace pfman

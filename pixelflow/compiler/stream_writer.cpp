@@ -171,6 +171,10 @@ void StreamWriter::send(const Lookup& lookup, int coordinates, int bytes) {
     }
     out.control(pixelflow::Control::Send);
   });
+  share(lookup);
+}
+
+void StreamWriter::share(const Lookup& lookup) {
   stream_.parts.back().lookup = lookup;
   stream_.parts.emplace_back();
 }

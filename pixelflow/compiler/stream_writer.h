@@ -42,6 +42,8 @@ class StreamWriter {
 
   /// Ends the program with a lookup: sends the first `bytes` bytes from `coordinates` on.
   void send(const Lookup& lookup, int coordinates, int bytes);
+  /// Ends the program with a shared lookup.
+  void share(const Lookup& lookup);
   /// The lookup's answer.
   void receive(int address, int bytes);
 

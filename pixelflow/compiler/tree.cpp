@@ -13,6 +13,7 @@ NodePtr clone_alone(const Node& node) {
   copy->math = node.math;
   copy->function = node.function;
   copy->precise = node.precise;
+  copy->shared = node.shared;
   copy->under = node.under;
   return copy;
 }

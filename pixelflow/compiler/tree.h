@@ -103,6 +103,8 @@ struct Node {
   const Function* function = nullptr;
   /// Set by check(): a result of the library, of which every fraction bit is computed.
   bool precise = false;
+  /// Texture: the lookup that shared_texture stands for.
+  bool shared = false;
   /// Set by size_fixed(): the node is only computed to be added or subtracted (keeps guard bits).
   bool under = false;
 };

@@ -1,12 +1,13 @@
 #include "pixelflow/shading/interleaving.h"
 
 #include <algorithm>
-#include <bit>
+#include <optional>
 #include <set>
 #include <stdexcept>
 
 #include "pixelflow/compiler/memory_layout.h"
 #include "pixelflow/microcode/library.h"
+#include "pixelflow/shading/lookups.h"
 
 namespace pfman {
 namespace {
@@ -37,11 +38,48 @@ pixelflow::Program clear_mask() {
   return program;
 }
 
-float float_at(const std::uint8_t* bytes) {
-  std::uint32_t bits = 0;
-  for (int n = 0; n < 4; ++n) bits |= static_cast<std::uint32_t>(bytes[n]) << 8 * n;
-  return std::bit_cast<float>(bits);
-}
+/// A region's streams on their way through the array.
+class Execution {
+ public:
+  Execution(PixelArray& array, const TextureMemory& textures) : array_(array), textures_(textures) {}
+
+  const Interleaving::Cycles& cycles() const { return cycles_; }
+  using Count = std::uint64_t Interleaving::Cycles::*;
+
+  /// Parts of a stream from `first` up to `last`, or all that follow. `ids`: the pixels of a surface.
+  void run(const Stream& stream, Count count, const std::vector<int>& ids = {}, std::size_t first = 0,
+           std::size_t last = kAll) {
+    const std::uint64_t before = array_.counters().cycles;
+    for (std::size_t n = first; n < std::min(last, stream.parts.size()); ++n) {
+      const std::optional<Lookup>& lookup = stream.parts[n].lookup;
+      array_.run(stream.parts[n].program);
+      if (!lookup || n + 1 == last) continue;
+      ++cycles_.lookups;
+      if (lookup->shared) {
+        const TextureUser alone{&ids, &*lookup};
+        look_up_shared({&alone, 1}, textures_, array_);
+      } else {
+        look_up(*lookup, textures_, array_);
+      }
+    }
+    cycles_.*count += array_.counters().cycles - before;
+  }
+
+  void share_lookup(const std::vector<TextureUser>& users, Count count) {
+    if (users.empty()) return;
+    const std::uint64_t before = array_.counters().cycles;
+    look_up_shared(users, textures_, array_);
+    cycles_.*count += array_.counters().cycles - before;
+    ++cycles_.lookups;
+  }
+
+ private:
+  static constexpr auto kAll = static_cast<std::size_t>(-1);
+
+  PixelArray& array_;
+  const TextureMemory& textures_;
+  Interleaving::Cycles cycles_;
+};
 
 }  // namespace
 
@@ -131,73 +169,70 @@ const CommonIllum* Interleaving::share_illum(std::vector<Present>& present, Stre
   return &cache.common_illum(sharers, block);
 }
 
+void Interleaving::share_lookup(std::vector<Present>& present) const {
+  for (Present& one : present) {
+    const bool waits_for_lights = !one.shader->code.has_illuminance;
+    const bool fits = std::all_of(lights_.begin(), lights_.end(), [&](const Instance& light) {
+      return light.shader().map.first_free >= one.shader->map.lookup_water;
+    });
+    if (waits_for_lights && !fits) continue;
+    const auto& parts = one.streams->pre.parts;
+    const auto shared =
+        std::find_if(parts.begin(), parts.end(), [](const auto& part) { return part.lookup && part.lookup->shared; });
+    if (shared != parts.end()) one.before_lookup = static_cast<std::size_t>(shared - parts.begin()) + 1;
+  }
+}
+
 Interleaving::Work Interleaving::shade(PixelArray& array, StreamCache& cache) const {
   Work work;
   std::vector<Present> present = present_in(array, cache);
   if (present.empty()) return work;
   const CommonIllum* const common = share_illum(present, cache);
+  share_lookup(present);
   work.executions = static_cast<int>(present.size());
   work.shared =
       static_cast<int>(std::count_if(present.begin(), present.end(), [](const auto& one) { return one.shares; }));
 
-  const auto run = [&](const Stream& stream, std::uint64_t& cycles) {
-    const std::uint64_t before = array.counters().cycles;
-    for (const Stream::Part& part : stream.parts) {
-      array.run(part.program);
-      if (!part.lookup) continue;
-      look_up(*part.lookup, array);
-      ++work.cycles.lookups;
-    }
-    cycles += array.counters().cycles - before;
-  };
+  static const TextureMemory none;
+  Execution execution(array, textures_ ? *textures_ : none);
   static const Stream first{{{clear_mask(), {}, {}}}};
-  run(first, work.cycles.pre);
+  execution.run(first, &Cycles::pre);
+  std::vector<TextureUser> users;
+  for (const Present& one : present) {
+    if (one.before_lookup == 0) continue;
+    execution.run(one.streams->pre, &Cycles::pre, *one.ids, 0, one.before_lookup);
+    users.push_back({one.ids, &*one.streams->pre.parts[one.before_lookup - 1].lookup});
+  }
+  execution.share_lookup(users, &Cycles::pre);
   const auto has_illuminance = [](const Present& one) { return one.shader->code.has_illuminance; };
   for (const Present& one : present) {
-    if (has_illuminance(one)) run(one.streams->pre, work.cycles.pre);
+    if (has_illuminance(one)) execution.run(one.streams->pre, &Cycles::pre, *one.ids, one.before_lookup);
   }
   if (common) {
-    for (const Stream& copies : common->to_block) run(copies, work.cycles.pre);
+    for (const Stream& copies : common->to_block) execution.run(copies, &Cycles::pre);
   }
   for (std::size_t n = 0; n < lights_.size() && std::any_of(present.begin(), present.end(), has_illuminance); ++n) {
     // Lights have users of their own, counted down from -1.
-    run(streams(lights_[n], {}, -1 - static_cast<int>(n), cache).pre, work.cycles.lights);
-    if (common) run(common->illum, work.cycles.illum);
+    execution.run(streams(lights_[n], {}, -1 - static_cast<int>(n), cache).pre, &Cycles::lights);
+    if (common) execution.run(common->illum, &Cycles::illum);
     for (const Present& one : present) {
       if (!has_illuminance(one) || one.shares) continue;
       const std::vector<Stream>& illum = one.streams->illum;
-      run(illum[illum.size() == 1 ? 0 : n], work.cycles.illum);
+      execution.run(illum[illum.size() == 1 ? 0 : n], &Cycles::illum);
     }
   }
   if (common) {
-    for (const Stream& copies : common->from_block) run(copies, work.cycles.post);
+    for (const Stream& copies : common->from_block) execution.run(copies, &Cycles::post);
   }
   for (const Present& one : present) {
     if (has_illuminance(one)) {
-      run(one.streams->post, work.cycles.post);
+      execution.run(one.streams->post, &Cycles::post);
     } else {
-      run(one.streams->pre, work.cycles.pre);
+      execution.run(one.streams->pre, &Cycles::pre, *one.ids, one.before_lookup);
     }
   }
+  work.cycles = execution.cycles();
   return work;
-}
-
-void Interleaving::look_up(const Lookup& lookup, PixelArray& array) const {
-  static const TextureMemory none;
-  const TextureMemory& textures = textures_ ? *textures_ : none;
-  const auto lanes = static_cast<std::size_t>(array.covered());
-  std::vector<std::uint8_t> packets(lanes * pixelflow::kPacketBytes);
-  array.sent(packets);
-  for (std::size_t n = 0; n < lanes; ++n) {
-    if (!array.registers(static_cast<int>(n)).e) continue;
-    std::uint8_t* const packet = packets.data() + n * pixelflow::kPacketBytes;
-    const float x = float_at(packet), y = float_at(packet + 4);
-    const std::array<std::uint8_t, 4> texel = lookup.environment
-                                                  ? textures.environment(lookup.texture, {x, y, float_at(packet + 8)})
-                                                  : textures.lookup(lookup.texture, x, y);
-    std::copy_n(texel.begin(), lookup.components, packet);
-  }
-  array.load(packets);
 }
 
 }  // namespace pfman

@@ -51,13 +51,17 @@ class Interleaving {
     const std::vector<int>* ids;
     const Streams* streams;
     bool shares = false;  ///< its light is added up by the common stream
+    /// Parts of the first stream up to the lookup that it shares; 0: none.
+    std::size_t before_lookup = 0;
   };
   std::vector<Present> present_in(const pixelflow::PixelArray& array, StreamCache& cache) const;
   const Streams& streams(const Instance& instance, const std::vector<int>& ids, int user, StreamCache& cache) const;
   /// Decides which groups share their illum stream: those of one kind, where there are two at least and the memory
   /// suffices. Null when none do.
   const CommonIllum* share_illum(std::vector<Present>& present, StreamCache& cache) const;
-  void look_up(const Lookup& lookup, pixelflow::PixelArray& array) const;
+  /// Which groups look up together: those of the flag. One without illuminance has to keep what it knows while lights
+  /// run; where the memory does not suffice it looks up alone.
+  void share_lookup(std::vector<Present>& present) const;
 
   std::vector<Instance> surfaces_, lights_;
   const TextureMemory* textures_;
