@@ -78,6 +78,9 @@ void choose_lockstep(Options& options) {
   watkins::GeneratorOptions& generator = options.render.generator;
   watkins::PixelOptions& pixels = options.render.pixels;
   if (!generator.lockstep || !watkins::has_rtl()) return;
+  if (generator.vsg != "rtl" && pixels.level != "rtl") {
+    refuse("--lockstep compares RTL with the golden model: it needs --vsg rtl or --pe rtl");
+  }
   pixels.lockstep = pixels.level == "rtl";
   pixels.replay = generator.replay;
   if (pixels.lockstep && generator.vsg != "rtl") generator.lockstep = false;

@@ -36,7 +36,8 @@ TEST_F(CommandLine, HelpNamesCommandsAndOptionsWithDefaults) {
   EXPECT_EQ(help.out.find("study"), std::string::npos) << "a command exists from the day that it works";
   const Outcome render = run({"render", "--help"});
   for (const char* option : {"--vsg", "--lockstep", "--show", "--channels", "--frames", "--size", "--samples",
-                             "--stats", "--trace", "--threads", "--quiet"}) {
+                             "--stats", "--trace", "--threads", "--quiet", "--pe", "--rendering-nodes",
+                             "--shading-nodes", "--traced"}) {
     EXPECT_NE(render.out.find(option), std::string::npos) << option;
   }
 #ifdef VSG_HAVE_RTL
@@ -75,17 +76,21 @@ TEST_F(CommandLine, MistakesOnTheCommandLineAreExplained) {
 }
 
 TEST_F(CommandLine, OptionsThatContradictEachOtherAreRefused) {
-  expect_refused({"render", "scene.toml", "-o", "a.png", "--vsg", "model", "--lockstep"}, "--lockstep");
+  expect_refused({"render", "scene.toml", "-o", "a.png", "--vsg", "model", "--pe", "macro", "--lockstep"}, "--lockstep");
   expect_refused({"render", "scene.toml", "-o", "a.png", "--vsg", "model", "--trace", "t.fst"}, "--trace");
   expect_refused({"render", "scene.toml", "-o", "a.png", "--channels"}, ".exr");
   expect_refused({"render", "scene.toml", "-o", "a.exr", "--channels", "--show", "tests"}, "exclude");
   expect_refused({"segments", "one.frame", "--lockstep"}, "--lockstep");
 }
 
-TEST_F(CommandLine, PixelProcessorsAreRefusedWhileThereAreNone) {
-  for (const char* which : {"macro", "model", "rtl"}) {
-    expect_refused({"render", "scene.toml", "-o", "a.png", "--pe", which}, "no pixel processors");
+TEST_F(CommandLine, NodesHaveBounds) {
+  for (const char* option : {"--rendering-nodes", "--shading-nodes"}) {
+    for (const char* number : {"0", "-1", "x", "100000"}) {
+      expect_refused({"render", "scene.toml", "-o", "a.png", option + std::string("=") + number}, option);
+    }
   }
+  expect_refused({"render", "scene.toml", "-o", "a.png", "--show", "tests", "--rendering-nodes", "2"}, "--show");
+  expect_refused({"render", "scene.toml", "-o", "a.png", "--traced"}, "scene.toml:14: error: object 'object 1' is no");
 }
 
 TEST_F(CommandLine, SequencesWantOnePlaceForTheNumber) {
@@ -101,6 +106,7 @@ TEST_F(CommandLine, SequencesWantOnePlaceForTheNumber) {
 TEST_F(CommandLine, AProgramWithoutRtlSaysSo) {
   expect_refused({"render", "scene.toml", "-o", "a.png", "--vsg", "rtl"}, "without the RTL");
   expect_refused({"render", "scene.toml", "-o", "a.png", "--lockstep"}, "without the RTL");
+  expect_refused({"render", "scene.toml", "-o", "a.png", "--pe", "rtl"}, "without the RTL");
   expect_refused({"segments", "one.frame", "--vsg", "rtl"}, "without the RTL");
 }
 #endif
@@ -115,11 +121,11 @@ TEST_F(CommandLine, BadFilesAreNamedWithTheLine) {
   expect_refused({"render", "broken.toml", "-o", "a.png"}, "broken.toml:");
   write("shader.toml",
         flat_scene(8, 8, "[[object]]\ngeometry = \"mesh\"\nfile = \"r.off\"\nshader = {name = \"marble\"}\n"));
-  expect_refused({"render", "shader.toml", "-o", "a.png"}, "shader.toml:14: error: unknown shader 'marble'");
+  expect_refused({"render", "shader.toml", "-o", "a.png"}, "shader.toml:17: error: there is no shader 'marble'");
   write("color.toml", flat_scene(8, 8,
                                  "[[object]]\ngeometry = \"mesh\"\nfile = \"r.off\"\n"
-                                 "shader = {name = \"flat\", parameters = {color = [1, 2, 3]}}\n"));
-  expect_refused({"render", "color.toml", "-o", "a.png"}, "color.toml:14: error: parameter 'color'");
+                                 "shader = {name = \"flat\", parameters = {color = [1, 2]}}\n"));
+  expect_refused({"render", "color.toml", "-o", "a.png"}, "color.toml:17: error: parameter 'rgb'");
 
   write("nan.frame", "vsgframe 1\nsize 16 16\nv 3 3 1\nv nan 9 1\nv 9 9 1\np 1 2 3\n");
   expect_refused({"segments", "nan.frame"}, "nan.frame:4:");
