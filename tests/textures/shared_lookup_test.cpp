@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "tests/pfman_shading/levels.h"
 #include "tests/pfman_shading/region.h"
@@ -249,6 +250,55 @@ TEST_F(SharedLookups, AreEachSurfacesOwn) {
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       if (before.get(lane, 0, 2) != static_cast<std::uint64_t>(one.id)) continue;
       for (int c = 0; c < 3; ++c) ASSERT_EQ(both.colour(lane, c), after.colour(lane, c)) << replay(seed);
+    }
+  }
+}
+
+/// Covered pixels are packed into the first elements: levels of detail go by their places.
+TEST_F(SharedLookups, GoByPlacesNotByElements) {
+  const std::uint64_t seed = seed_or(104);
+  const std::vector<Pixels> all = {{1, "plain", 3}, {2, "own_lookups", 1}, {3, "lit", 2}, {4, "bare", 3}};
+  for (const LevelArray& level : all_levels()) {
+    std::mt19937_64 random(seed);
+    const TextureMemory textures = random_textures(random);
+    ShadingNode node(instances(*shared_, all), lamps(*shared_), &textures);
+    const Region before = region(random, all);
+    const Region in_place = shaded(node, before, *level.array);
+    std::vector<std::size_t> element_of(kLanes);
+    std::iota(element_of.begin(), element_of.end(), std::size_t{0});
+    std::shuffle(element_of.begin(), element_of.end(), random);
+    std::vector<std::uint8_t> columns(kLanes), rows(kLanes), row(kLanes), moved(kLanes);
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      columns[element_of[lane]] = static_cast<std::uint8_t>(lane % kColumns);
+      rows[element_of[lane]] = static_cast<std::uint8_t>(lane / kColumns);
+    }
+    const auto shade_moved = [&] {
+      before.write(*level.array);
+      for (int address = 0; address < pixelflow::kMemoryBytes; ++address) {
+        level.array->read(address, row);
+        for (std::size_t lane = 0; lane < kLanes; ++lane) moved[element_of[lane]] = row[lane];
+        level.array->write(address, moved);
+      }
+      node.shade(*level.array);
+      Region after(kLanes);
+      after.read(*level.array);
+      return after;
+    };
+    const Region beside = shade_moved();
+    int wrong = 0;
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      if (before.get(lane, 0, 2) != 0) wrong += beside.colour(element_of[lane], 0) != in_place.colour(lane, 0);
+    }
+    EXPECT_GT(wrong, 20) << "places as the elements lie";
+
+    level.array->place(columns, rows);
+    const Region packed = shade_moved();
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      if (before.get(lane, 0, 2) == 0) continue;
+      for (int c = 0; c < 3; ++c) {
+        ASSERT_EQ(packed.colour(element_of[lane], c), in_place.colour(lane, c))
+            << replay(seed) << ", " << level.name << ", lane " << lane;
+      }
     }
   }
 }
