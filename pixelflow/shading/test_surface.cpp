@@ -1,5 +1,6 @@
 #include "pixelflow/shading/test_surface.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <numbers>
@@ -39,6 +40,12 @@ std::vector<double> value_at(const TestSurface::Point& point, const std::string&
   }
   if (name == "surface_height") return {point.shape.height};
   if (name == "surface_data") return {point.shape.data};
+  if (name == "height") return {point.shape.height};
+  if (name == "gradient") {
+    const Vector& n = point.shape.normal;
+    const double up = std::max(n[2], 1e-3);
+    return {-n[0] / up, -n[1] / up};
+  }
   for (const Material& material : kMaterial) {
     if (name == material.parameter) return std::vector<double>(static_cast<std::size_t>(count), material.value);
   }

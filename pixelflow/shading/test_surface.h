@@ -42,7 +42,8 @@ class TestSurface {
   void place(Instance& instance) const;
 
   /// Declares as ordinary the varying parameters that fill() knows: px_material_* and px_shader_texcoord,
-  /// surface_height and surface_data. One that is set afterwards is bound.
+  /// surface_height and surface_data, and as terrains have it (z being up) height and gradient. One that is set
+  /// afterwards is bound.
   static void make_ordinary(Instance& instance);
 
   /// Writes a region of 128 x 64 pixels into memory, or as many rows of it as the array has elements for. Pixels

@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace scanline {
 namespace {
-
-constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
 /// A height in the rectangle or one cell beyond it, where the line through the last two cells goes on.
 double extended(const Elevation& e, int column, int row) {
@@ -17,6 +14,18 @@ double extended(const Elevation& e, int column, int row) {
   if (column >= e.columns) return 2.0 * e.at(e.columns - 1, row) - e.at(e.columns - 2, row);
   return e.at(column, row);
 }
+
+/// The weighted mean of differences; those that are not known are left out.
+struct MeanSlope {
+  double sum = 0, weights = 0;
+
+  void add(double weight, double difference) {
+    if (std::isnan(difference)) return;
+    sum += weight * difference;
+    weights += weight;
+  }
+  double over(double distance) const { return weights == 0 ? 0 : sum / (weights * distance); }
+};
 
 }  // namespace
 
@@ -29,14 +38,16 @@ glm::dvec2 gradient(const Elevation& elevation, int column, int row) {
   double h[3][3];
   for (int j = 0; j < 3; ++j) {
     for (int i = 0; i < 3; ++i) {
-      h[j][i] = around[j][i];
-      if (std::isnan(h[j][i])) h[j][i] = 2 * center - around[2 - j][2 - i];
-      if (std::isnan(h[j][i])) h[j][i] = center;
+      h[j][i] = std::isnan(around[j][i]) ? 2 * center - around[2 - j][2 - i] : around[j][i];
     }
   }
-  const double east = (h[0][2] + 2 * h[1][2] + h[2][2]) - (h[0][0] + 2 * h[1][0] + h[2][0]);
-  const double north = (h[0][0] + 2 * h[0][1] + h[0][2]) - (h[2][0] + 2 * h[2][1] + h[2][2]);
-  return {east / (8 * elevation.cell_size.x), north / (8 * elevation.cell_size.y)};
+  MeanSlope east, north;
+  for (int k = 0; k < 3; ++k) {
+    const double weight = k == 1 ? 2 : 1;
+    east.add(weight, h[k][2] - h[k][0]);
+    north.add(weight, h[0][k] - h[2][k]);
+  }
+  return {east.over(2 * elevation.cell_size.x), north.over(2 * elevation.cell_size.y)};
 }
 
 void fill_missing(Elevation& elevation) {

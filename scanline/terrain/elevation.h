@@ -23,8 +23,9 @@ struct Elevation {
 };
 
 /// Slopes (rise over run) to the east and to the north in a cell, by Horn's weights of its eight neighbours. Beyond the
-/// border heights go on as they come; a missing neighbour mirrors the one across from it, or is level with the cell
-/// when that is missing too. The cell itself is known, and there are two rows and columns at least.
+/// border heights go on as they come; a missing neighbour mirrors the one across from it, and differences that are not
+/// known for all that are left out of the weighted mean. The cell itself is known, and there are two rows and columns
+/// at least.
 glm::dvec2 gradient(const Elevation& elevation, int column, int row);
 
 /// Gives heights to missing cells, from the known ones inwards: each ring of cells gets the mean of the neighbours (of

@@ -138,7 +138,7 @@ bool TerrainSource::too_coarse(const Diamond& diamond, const Viewer& viewer) con
 
 /// For every vertex whether the triangles that it halves are halved: they are too coarse themselves, or triangles that
 /// come of them are.
-std::vector<bool> TerrainSource::halved(const Viewer& viewer) const {
+std::vector<bool> TerrainSource::find_halved(const Viewer& viewer) const {
   std::vector<bool> result(deviation_.size());
   each_diamond([&](const Diamond& d) {
     bool is_halved = too_coarse(d, viewer);
@@ -154,9 +154,9 @@ std::vector<bool> TerrainSource::halved(const Viewer& viewer) const {
   return result;
 }
 
-Mesh TerrainSource::mesh(const Viewer& viewer) const {
-  const std::vector<bool> split = halved(viewer);
-  TerrainMesh mesh(surface_);
+/// Calls `visit` for every triangle that is not halved, those without area included.
+template <typename Visit>
+void TerrainSource::each_triangle(const std::vector<bool>& halved, Visit visit) const {
   std::vector<Triangle> open;
   for (int y = 0; y + 1 < height_; y += square_) {
     for (int x = 0; x + 1 < width_; x += square_) {
@@ -171,16 +171,27 @@ Mesh TerrainSource::mesh(const Viewer& viewer) const {
         open.pop_back();
         const Place middle{(t.a.x + t.b.x) / 2, (t.a.y + t.b.y) / 2};
         const bool smallest = (t.a.x + t.b.x) % 2 != 0;
-        if (!smallest && split[index(middle)]) {
+        if (!smallest && halved[index(middle)]) {
           open.insert(open.end(), {{t.apex, t.a, middle}, {t.b, t.apex, middle}});
-        } else if (!mesh.triangle(cell(t.a), cell(t.b), cell(t.apex))) {
-          throw UserError({file_, 0, 0,
-                           "the terrain needs more than " + std::to_string(kMostTerrainPolygons) +
-                               " polygons: 'detail' must be larger"});
+        } else {
+          visit(t);
         }
       }
     }
   }
+}
+
+Mesh TerrainSource::mesh(const Viewer& viewer) const {
+  const std::vector<bool> halved = find_halved(viewer);
+  std::size_t count = 0;
+  each_triangle(halved, [&](const Triangle&) { ++count; });
+  if (count > kMostTerrainPolygons) {
+    throw UserError(
+        {file_, 0, 0,
+         "the terrain needs more than " + std::to_string(kMostTerrainPolygons) + " polygons: 'detail' must be larger"});
+  }
+  TerrainMesh mesh(surface_);
+  each_triangle(halved, [&](const Triangle& t) { mesh.triangle(cell(t.a), cell(t.b), cell(t.apex)); });
   return mesh.take();
 }
 

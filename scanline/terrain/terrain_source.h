@@ -51,7 +51,9 @@ class TerrainSource : public MeshSource {
   void each_diamond(Visit visit) const;
   double deviation(const Place& a, const Place& b, const Place& c) const;
   bool too_coarse(const Diamond& diamond, const Viewer& viewer) const;
-  std::vector<bool> halved(const Viewer& viewer) const;
+  std::vector<bool> find_halved(const Viewer& viewer) const;
+  template <typename Visit>
+  void each_triangle(const std::vector<bool>& halved, Visit visit) const;
 
   TerrainSurface surface_;
   double detail_;

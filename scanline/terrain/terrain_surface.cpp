@@ -78,13 +78,12 @@ std::uint32_t TerrainMesh::vertex(const TerrainCell& cell) {
   return entry->second;
 }
 
-bool TerrainMesh::triangle(const TerrainCell& a, const TerrainCell& b, const TerrainCell& c) {
-  if (!surface_.known(a) || !surface_.known(b) || !surface_.known(c)) return true;
+void TerrainMesh::triangle(const TerrainCell& a, const TerrainCell& b, const TerrainCell& c) {
+  if (!surface_.known(a) || !surface_.known(b) || !surface_.known(c)) return;
   // Rows count to the south: a positive value is counter-clockwise on the map.
   const std::int64_t area =
       std::int64_t{b.row - a.row} * (c.column - a.column) - std::int64_t{b.column - a.column} * (c.row - a.row);
-  if (area == 0) return true;
-  if (mesh_.polygons.size() >= kMostTerrainPolygons) return false;
+  if (area == 0) return;
   const std::uint32_t corners[] = {vertex(a), vertex(area > 0 ? b : c), vertex(area > 0 ? c : b)};
   mesh_.polygons.emplace_back(std::begin(corners), std::end(corners));
   for (const std::uint32_t corner : corners) {
@@ -94,28 +93,24 @@ bool TerrainMesh::triangle(const TerrainCell& a, const TerrainCell& b, const Ter
       value += attribute.components;
     }
   }
-  return true;
 }
 
 Mesh terrain_grid(const TerrainSurface& surface, int step, const std::string& file) {
   const std::vector<int> columns = chosen(surface.columns(), step), rows = chosen(surface.rows(), step);
-  TerrainMesh mesh(surface);
-  bool fits = true;
-  for (std::size_t j = 0; fits && j + 1 < rows.size(); ++j) {
-    for (std::size_t i = 0; fits && i + 1 < columns.size(); ++i) {
-      const TerrainCell nw{columns[i], rows[j]}, ne{columns[i + 1], rows[j]}, sw{columns[i], rows[j + 1]},
-          se{columns[i + 1], rows[j + 1]};
-      if ((i + j) % 2 == 0) {
-        fits = mesh.triangle(nw, sw, se) && mesh.triangle(nw, se, ne);
-      } else {
-        fits = mesh.triangle(nw, sw, ne) && mesh.triangle(sw, se, ne);
-      }
-    }
-  }
-  if (!fits) {
+  if (2 * (columns.size() - 1) * (rows.size() - 1) > kMostTerrainPolygons) {
     throw UserError(
         {file, 0, 0,
          "the terrain has more than " + std::to_string(kMostTerrainPolygons) + " polygons at this resolution"});
+  }
+  TerrainMesh mesh(surface);
+  for (std::size_t j = 0; j + 1 < rows.size(); ++j) {
+    for (std::size_t i = 0; i + 1 < columns.size(); ++i) {
+      const TerrainCell nw{columns[i], rows[j]}, ne{columns[i + 1], rows[j]}, sw{columns[i], rows[j + 1]},
+          se{columns[i + 1], rows[j + 1]};
+      const bool falls = (i + j) % 2 == 0;
+      mesh.triangle(nw, sw, falls ? se : ne);
+      mesh.triangle(falls ? nw : sw, se, ne);
+    }
   }
   return mesh.take();
 }

@@ -47,7 +47,7 @@ class TerrainSurface {
 };
 
 /// More polygons than this are not made of a terrain.
-constexpr std::size_t kMostTerrainPolygons = 4'194'304;
+constexpr std::size_t kMostTerrainPolygons = 2'097'152;
 
 /// Gathers triangles between cells. Vertices are cells, shared by all triangles that name them.
 class TerrainMesh {
@@ -55,8 +55,8 @@ class TerrainMesh {
   explicit TerrainMesh(const TerrainSurface& surface);
 
   /// In any order; the front looks up. Left out are triangles without area and those with a corner whose height is
-  /// missing. Returns false, and adds nothing, when there would be more than kMostTerrainPolygons.
-  bool triangle(const TerrainCell& a, const TerrainCell& b, const TerrainCell& c);
+  /// missing.
+  void triangle(const TerrainCell& a, const TerrainCell& b, const TerrainCell& c);
   Mesh take() { return std::move(mesh_); }
 
  private:

@@ -9,7 +9,7 @@ using pfman::Instance;
 
 pfman::TestView view_of(const std::string& surface) {
   pfman::TestView view;
-  if (surface.starts_with("data_")) {
+  if (surface.starts_with("data_") || surface.starts_with("terrain_")) {
     view.shape = pfman::TestShape::Relief;
     view.turn = 25;
     view.tilt = 48;
@@ -30,6 +30,7 @@ Instance instance_of(const Compiled& compiled) {
   // Five lights at once are too much for what is bright all over.
   const auto is_rgb = [](const pfman::ShaderParameter& parameter) { return parameter.variable->name == "rgb"; };
   if (std::ranges::any_of(compiled.shader().shader->parameters, is_rgb)) instance.set("rgb", {0.1, 0.15, 0.2});
+  if (name == "terrain_gloss" || name == "terrain_lit") instance.set("high_height", {0.3});
   if (name == "opengl_surface") {
     instance.set("px_material_specular", {0.7, 0.6, 0.5});
     instance.set("px_material_shininess", {20});
