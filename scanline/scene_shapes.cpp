@@ -1,5 +1,6 @@
 #include "scanline/scene_shapes.h"
 
+#include "scanline/fields/field_reader.h"
 #include "scanline/mesh_reader.h"
 #include "scanline/patches.h"
 #include "scanline/polygon.h"
@@ -134,7 +135,7 @@ Mesh read_named_file(TomlTable& t, const std::filesystem::path& folder, Read rea
 }  // namespace
 
 Geometry read_geometry(TomlTable& object, const std::filesystem::path& folder) {
-  static const std::vector<std::string> kinds{"mesh", "shape", "patches", "terrain"};
+  static const std::vector<std::string> kinds{"mesh", "shape", "patches", "terrain", "field"};
   if (!object.has("geometry")) object.missing("geometry");
   switch (object.choice("geometry", kinds, kinds.size())) {
     case 0: return {read_named_file(object, folder, read_mesh_file), {}, {}};
@@ -147,6 +148,7 @@ Geometry read_geometry(TomlTable& object, const std::filesystem::path& folder) {
       return {read_named_file(object, folder, read), {}, {}};
     }
     case 3: return read_terrain(object, folder);
+    case 4: return read_field_geometry(object, folder);
     default: object.ignore_unknown(); return {};
   }
 }

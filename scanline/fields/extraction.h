@@ -1,0 +1,19 @@
+// Polygons of a distance field, for machines that want polygons: dual contouring on a lattice, with one vertex for each
+// sheet of the surface in a cell.
+#pragma once
+
+#include "scanline/field.h"
+#include "scanline/mesh.h"
+
+namespace scanline {
+
+constexpr int kMostCells = 512;
+
+/// A closed mesh of planar polygons, outside in front; every edge belongs to exactly two of them. Vertices lie on the
+/// solid's edges and corners where it has such; flat parts become large polygons, whatever the number of cells. What
+/// is thinner than a cell may be lost. Corners carry "normal", the field's.
+/// `cells`: along the longest side of the field's box, 1 to kMostCells. The field's bounds must be finite. No polygons
+/// when no corner of the lattice is inside the solid.
+Mesh extract_surface(const Field& field, int cells);
+
+}  // namespace scanline
