@@ -126,36 +126,52 @@ def churchyard(count):
         block("graves", (x - 0.4, x + 0.4), (0, 1.1 + 0.2 * ((k * 7) % 3)), (z - 0.12, z + 0.12), (0.8, 1))
 
 
-COLORS = {"walls": (0.80, 0.74, 0.62), "trim": (0.70, 0.62, 0.50), "roof": (0.42, 0.45, 0.52),
-          "windows": (0.16, 0.18, 0.30), "graves": (0.62, 0.64, 0.62)}
+SHADERS = {
+    "walls": """{name = "ashlar", file = "shaders/ashlar.pfman"}""",
+    "trim": """{name = "ashlar", file = "shaders/ashlar.pfman", parameters = {length = 1.4, height = 0.6, pale = [0.80, 0.70, 0.56], \
+deep = [0.58, 0.48, 0.36]}}""",
+    "roof": """{name = "ashlar", file = "shaders/ashlar.pfman", parameters = {length = 0.5, height = 0.45, joint = 0.06, \
+pale = [0.46, 0.50, 0.58], deep = [0.27, 0.29, 0.36], joint_color = [0.15, 0.16, 0.2], stains = 0.2}}""",
+    "windows": """{name = "plastic", parameters = {color = [0.10, 0.12, 0.24], gloss = 0.8, shine = 9}}""",
+    "graves": """{name = "flat", parameters = {color = [0.62, 0.64, 0.62]}}"""}
 
 HEAD = """# A church of 345 blocks, six polygons each. Written by make_church.py.
 version = 1
 size = [512, 512]
-background = [0.55, 0.70, 0.90]
+background = [0.74, 0.82, 0.90]
 
 [camera]
-position = [-46, 31, 64]
-target = [0, 8.5, 1.5]
-field_of_view = 39
+position = [-46, 19, 56]
+target = [0, 11, 1.5]
+field_of_view = 38
 near = 5
-far = 200
+far = 500
 
 [[light]]
-direction = [0.7, -0.9, -0.55]
-intensity = 0.8
+direction = [0.8, -0.75, -0.5]
+color = [1.0, 0.93, 0.80]
+intensity = 0.9
 
 [[light]]
 kind = "ambient"
-intensity = 0.3
+color = [0.8, 0.9, 1.0]
+intensity = 0.35
 
 [[object]]
 name = "ground"
 geometry = "shape"
+shape = "boxes"
+list = [{center = [80, -0.55, -80], size = [340, 1, 340]}]
+shader = {name = "meadow", file = "shaders/meadow.pfman", parameters = {haze = 0.002}}
+
+[[object]]
+name = "sky"
+geometry = "shape"
 shape = "plane"
-size = [200, 200]
-translate = [0, -0.05, 0]
-shader = {name = "flat", parameters = {color = [0.36, 0.52, 0.28]}}
+size = [520, 220]
+rotate = [90, -39, 0]
+translate = [148, 60, -188]
+shader = {name = "sky", file = "shaders/sky.pfman", parameters = {horizon = 0.2, clouds = [8, 7]}}
 """
 
 
@@ -175,7 +191,7 @@ def main():
     print(HEAD)
     for group, blocks in groups.items():
         print(f'[[object]]\nname = "{group}"\ngeometry = "shape"\nshape = "boxes"')
-        print(f'shader = {{name = "flat", parameters = {{color = {numbers(COLORS[group])}}}}}\nlist = [')
+        print(f'shader = {SHADERS[group]}\nlist = [')
         for center, size, top in blocks:
             tail = f", top = {numbers(top)}" if top else ""
             print(f"  {{center = {numbers(center)}, size = {numbers(size)}{tail}}},")
