@@ -58,6 +58,7 @@ struct RegionCounts {
 
   /// What the shading node spends on the region.
   std::uint64_t shading() const { return receive + pre_shade + pre + illum + post + lights + send; }
+  friend bool operator==(const RegionCounts&, const RegionCounts&) = default;
 };
 
 /// What all regions of a frame share: instances, lights, textures, the view, and the streams made for them. Regions are

@@ -24,12 +24,15 @@ using pixelflow::Program;
 using pixelflow::Q;
 using pixelflow::To;
 
+// A plane has so many bytes that its steps add up to less than a float's last bit wherever in the region.
 constexpr int kPlaneAt = kDepthAt + kDepthBytes;
-constexpr int kWorkAt = kPlaneAt + 4;
+constexpr int kPlaneBytes = 5;
+constexpr int kWorkAt = kPlaneAt + kPlaneBytes;
 constexpr int kXAt = kPositionAt, kYAt = kPositionAt + 4, kZAt = kPositionAt + 8;
 
-Operand number(int address, bool is_signed = false) {
-  return {.address = static_cast<std::uint8_t>(address), .bytes = 4, .is_signed = is_signed};
+Operand number(int address, int bytes = 4, bool is_signed = false) {
+  return {
+      .address = static_cast<std::uint8_t>(address), .bytes = static_cast<std::uint8_t>(bytes), .is_signed = is_signed};
 }
 Operand constant(double value) {
   return {.bytes = 4, .uniform = true, .constant = std::bit_cast<std::uint32_t>(static_cast<float>(value))};
@@ -53,12 +56,12 @@ void flip(Assembler& out, int address, int mask) {
 /// A plane over one axis of the region, as a float: first + step n, n up to `most`.
 void plane(Program& program, int d, double first, double step, int most, bool along_columns) {
   const double largest = std::max(std::abs(first), std::abs(first + step * most));
-  // As many places behind the point as 32 bits hold, and as the conversion takes.
-  const int scale = largest > 0 ? std::clamp(29 - std::ilogb(largest), -64, 128) : 0;
-  const auto fixed = [&](double value) { return std::llround(std::clamp(std::ldexp(value, scale), -0x1p31, 0x1p31)); };
-  pixelflow::append_plane(program, kPlaneAt, 4, along_columns ? fixed(step) : 0, along_columns ? 0 : fixed(step),
-                          fixed(first));
-  operate(program, Code::FixedToFloat, d, number(kPlaneAt, true), {}, scale);
+  // As many places behind the point as the plane holds, and as the conversion takes.
+  const int scale = largest > 0 ? std::clamp(8 * kPlaneBytes - 3 - std::ilogb(largest), -64, 128) : 0;
+  const auto fixed = [&](double value) { return std::llround(std::clamp(std::ldexp(value, scale), -0x1p62, 0x1p62)); };
+  pixelflow::append_plane(program, kPlaneAt, kPlaneBytes, along_columns ? fixed(step) : 0,
+                          along_columns ? 0 : fixed(step), fixed(first));
+  operate(program, Code::FixedToFloat, d, number(kPlaneAt, kPlaneBytes, true), {}, scale);
 }
 
 }  // namespace
