@@ -212,17 +212,18 @@ class Extraction {
     return entry->second;
   }
 
-  /// Where a cell's vertices may be: within it, and in the near half of neighbours that the surface does not pass by
-  /// their corners. An edge of the solid that only just enters such a neighbour would be cut off otherwise. No crossed
-  /// edge lies on a wall to such a neighbour, so that seen along any crossed edge vertices still stay in their
-  /// quadrants.
+  /// Where a cell's vertices may be: within it, and in the near half of neighbours behind walls without a crossed edge.
+  /// An edge of the solid that enters such a neighbour between its corners would be cut off otherwise. Seen along any
+  /// crossed edge vertices still stay in their quadrants.
   Bounds room_of(const Cell& cell) const {
-    glm::dvec3 low = glm::dvec3(cell.place) + kMargin, high = glm::dvec3(cell.place) + (1 - kMargin);
-    for (int k = 0; k < 3; ++k) {
-      if (cell.place[k] == 0 || !index_.contains(lattice_.key(cell.place - unit(k)))) low[k] -= 0.5;
-      if (!index_.contains(lattice_.key(cell.place + unit(k)))) high[k] += 0.5;
+    glm::dvec3 low(kMargin), high(1 - kMargin);
+    for (int face = 0; face < 6; ++face) {
+      const auto edges = face_edges(face);
+      const auto is_crossed = [&](int e) { return cell.surface.sheet[e] >= 0; };
+      if (std::any_of(edges.begin(), edges.end(), is_crossed)) continue;
+      (face % 2 == 0 ? low : high)[face / 2] += face % 2 - 0.5;
     }
-    return {lattice_.point(low), lattice_.point(high)};
+    return {lattice_.point(glm::dvec3(cell.place) + low), lattice_.point(glm::dvec3(cell.place) + high)};
   }
 
   void make_vertices(Cell& cell) {

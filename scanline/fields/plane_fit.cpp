@@ -10,6 +10,9 @@ namespace {
 /// Below this share of the largest eigenvalue planes count as parallel in that direction: a tenth in slope.
 constexpr double kParallel = 0.01;
 
+/// Enough to come within a thousandth of the way: the sum's directions differ by no more than a factor of 100.
+constexpr int kSweeps = 100;
+
 struct Eigen {
   std::array<double, 3> values;
   std::array<glm::dvec3, 3> vectors;
@@ -81,16 +84,20 @@ glm::dvec3 fit_planes(std::span<const Crossing> crossings, const Bounds& cell) {
   const Eigen eigen = eigen_of(normals);
   int rank = 0;
   while (rank < 3 && eigen.values[rank] > kParallel * eigen.values[0]) ++rank;
-  // Planes that meet outside the cell belong to a feature of a neighbour, or to no feature: fewer directions, then.
-  for (; rank > 0; --rank) {
-    glm::dvec3 p = mean;
-    for (int k = 0; k < rank; ++k) {
-      p += eigen.vectors[k] * (glm::dot(eigen.vectors[k], offsets) / eigen.values[k]);
+  glm::dvec3 p = mean;
+  for (int k = 0; k < rank; ++k) p += eigen.vectors[k] * (glm::dot(eigen.vectors[k], offsets) / eigen.values[k]);
+  if (inside(cell, p) || (rank == 2 && slide_inside(cell, eigen.vectors[2], p))) return p;
+  // The planes meet elsewhere: the least sum within the cell, found coordinate by coordinate. What keeps it near the
+  // mean makes the sum strictly convex.
+  for (int k = 0; k < 3; ++k) normals[k][k] += kParallel * eigen.values[0];
+  p = glm::clamp(mean, cell.low, cell.high);
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    for (int k = 0; k < 3; ++k) {
+      const double slope = glm::dot(normals[k], p - mean) - offsets[k];
+      p[k] = std::clamp(p[k] - slope / normals[k][k], cell.low[k], cell.high[k]);
     }
-    if (inside(cell, p)) return p;
-    if (rank == 2 && slide_inside(cell, eigen.vectors[2], p)) return p;
   }
-  return glm::clamp(mean, cell.low, cell.high);
+  return p;
 }
 
 }  // namespace scanline
