@@ -11,6 +11,8 @@ constexpr double kFinest = 1e-13;
 constexpr int kMostRefinements = 100;
 /// Of the search for the entry near a place.
 constexpr int kMostNearSteps = 4000;
+/// Of the tolerance, in the search for the sides of a surface.
+constexpr int kMostDoublings = 10;
 constexpr double kMargin = 1e-6;
 /// For a line from the origin of a field without bounds: what is in proportion to nothing would not move.
 constexpr double kLeast = 1e-100;
@@ -84,11 +86,11 @@ double FieldLine::refine(Sample outside, Sample inside) {
   double outside_weight = outside.distance, inside_weight = inside.distance;
   const double finest = kFinest * (size_ + std::max(std::abs(outside.t), std::abs(inside.t)) * length_) / length_;
   for (int n = 0; n < kMostRefinements && std::abs(inside.t - outside.t) > finest; ++n) {
-    const double share = outside_weight / (outside_weight - inside_weight);
-    // Well inside the interval: the other end is to come closer too.
-    const double t = outside.t + std::clamp(share, 1e-3, 1 - 1e-3) * (inside.t - outside.t);
-    const Sample middle = at(t);
-    if (middle.distance == 0) return t;
+    const double width = inside.t - outside.t, share = outside_weight / (outside_weight - inside_weight);
+    // Never at an end: where one has come close to the root, the other one is to come there too.
+    const double least = finest / 2 / std::abs(width);
+    const Sample middle = at(outside.t + std::clamp(share, least, 1 - least) * width);
+    if (middle.distance == 0) return middle.t;
     if (middle.distance > 0) {
       outside = middle;
       outside_weight = middle.distance;
@@ -133,7 +135,7 @@ std::optional<double> FieldLine::first_entry(double from, double to, double reac
 std::optional<double> FieldLine::entry_near(double t) {
   if (!is_line_ || !std::isfinite(t) || t < 0) return std::nullopt;
   const Sample start = at(t);
-  if (side(start) == Side::kSurface) return t;
+  if (side(start) == Side::kSurface) return entry_at(start);
   if (side(start) == Side::kInside) return entry_before(start);
   // A chord of a sphere lies within its surface by no more than a certain part of its length.
   double diameter = glm::length(box_.high - box_.low);
@@ -144,6 +146,22 @@ std::optional<double> FieldLine::entry_near(double t) {
   auto entry = approaches ? entry_ahead(start, ahead, reach) : entry_behind(start, reach);
   if (!entry) entry = approaches ? entry_behind(start, reach) : entry_ahead(start, ahead, reach);
   return entry;
+}
+
+/// Where a place on the surface has an outside and an inside close by, exactly there; otherwise at the place itself.
+double FieldLine::entry_at(Sample start) {
+  const auto look = [&](Side wanted, double sign) -> std::optional<Sample> {
+    double step = sign * tolerance(start.t) / length_;
+    for (int n = 0; n < kMostDoublings; ++n, step *= 2) {
+      const Sample sample = at(start.t + step);
+      if (side(sample) == wanted) return sample;
+    }
+    return std::nullopt;
+  };
+  const auto inside = look(Side::kInside, 1);
+  if (!inside) return start.t;
+  const auto outside = look(Side::kOutside, -1);
+  return outside ? refine(*outside, *inside) : start.t;
 }
 
 std::optional<double> FieldLine::entry_before(Sample inside) {

@@ -43,6 +43,7 @@ class FieldLine {
   double step(const Sample& sample, double sign) const;
   bool clip(double& from, double& to) const;
   double refine(Sample outside, Sample inside);
+  double entry_at(Sample start);
   std::optional<double> entry_before(Sample inside);
   std::optional<double> entry_ahead(Sample start, Sample next, double reach);
   std::optional<double> entry_behind(Sample start, double reach);

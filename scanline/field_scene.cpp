@@ -11,7 +11,7 @@ namespace scanline {
 namespace {
 
 constexpr int kMostSteps = 20000;
-constexpr int kMostShadowSteps = 2000;
+constexpr int kMostShadowSteps = 5000;
 constexpr double kDefaultColor = 0.8;
 /// How far rays start off a surface, in distances from the eye.
 constexpr double kLift = 1e-7;

@@ -51,7 +51,7 @@ class FieldScene {
   /// 1 where nothing stands between a point of a surface and the light, 0 where a field does, or the surface itself as
   /// it is turned away; 1 for ambient lights, and for lights of the shading language without a parameter `position` or
   /// `direction`. `normal` lifts the start of the ray off the surface. A ray that keeps so close to a surface that it
-  /// does not get away within 2000 steps sees the light, of which little arrives at such an angle.
+  /// does neither meet it nor get away within 5000 steps sees the light.
   double visibility(const glm::dvec3& point, const glm::dvec3& normal, const Light& light, FieldCost& cost) const;
 
   /// What a mirror at the point shows of the fields: the first one in the mirrored direction, with its surface's
