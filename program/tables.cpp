@@ -1,7 +1,6 @@
 #include "program/tables.h"
 
 #include <CLI/CLI.hpp>
-#include <cstdlib>
 #include <fstream>
 #include <memory>
 
@@ -15,12 +14,12 @@
 #include "scanline/edge_history.h"
 #include "scanline/golden_generator.h"
 #include "scanline/scene_frame.h"
+#include "watkins/data_folder.h"
 
 namespace program {
 
 std::filesystem::path data_folder(const std::string& chosen) {
-  const char* from_environment = std::getenv("VSG_DATA");
-  std::filesystem::path folder = !chosen.empty() ? chosen : from_environment ? from_environment : VSG_DATA_DIR;
+  std::filesystem::path folder = !chosen.empty() ? std::filesystem::path(chosen) : watkins::data_folder();
   if (!std::filesystem::is_directory(folder / "tables") || !std::filesystem::is_directory(folder / "scenes")) {
     refuse("no folders 'tables' and 'scenes' here: name the project's folder with --data or VSG_DATA", folder.string());
   }
@@ -129,7 +128,8 @@ void add_tables(CLI::App& app, const std::string& command_line) {
   command->add_flag("--json", options->json, "JSON instead of a table for people")->group("Output");
   command
       ->add_option("--data", options->data,
-                   "The folder that holds scenes/ and tables/ (default: $VSG_DATA, else the sources)")
+                   "The folder that holds scenes/ and tables/ (default: $VSG_DATA, else what is installed,\n"
+                   "else the sources)")
       ->type_name("FOLDER")
       ->group("Input");
   add_generator_options(*command, options->generator, "rtl");

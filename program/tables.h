@@ -12,8 +12,7 @@
 
 namespace program {
 
-/// The folder that holds scenes/ and tables/: `chosen` (--data) if it is not empty, else $VSG_DATA, else where this
-/// program was built from. Throws scanline::UserError when there is no such folder.
+/// The folder that holds scenes/ and tables/: `chosen` (--data) if it is not empty, else watkins::data_folder(). Throws scanline::UserError when there is no such folder.
 std::filesystem::path data_folder(const std::string& chosen);
 
 /// The ten objects of chapter VII in the paper's order, as scenes/watkins names them.

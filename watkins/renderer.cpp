@@ -63,14 +63,15 @@ struct Renderer::Work {
         height(scene_.height * options.samples),
         across((width + kRegionWidth - 1) / kRegionWidth),
         down((height + kRegionHeight - 1) / kRegionHeight),
-        shading(scene_, scene_file) {}
+        shading(std::make_unique<SceneShading>(scene_, scene_file, files)) {}
 
   const scanline::Scene& scene;
   const std::string scene_file;
   const RenderOptions options;
   const int width, height;  ///< samples
   const int across, down;   ///< regions
-  const SceneShading shading;
+  ShadingFiles files;
+  std::unique_ptr<const SceneShading> shading;
   pfman::StreamCache cache;
 
   /// An array with its node for every thread at work, made when all are busy.
@@ -105,6 +106,7 @@ struct Renderer::Work {
                      const RegionBuilder& builder, scanline::PictureChannels& channels) const;
   scanline::PictureChannels empty_channels() const;
   void show(const VisibleFrame& visible, scanline::Picture& picture) const;
+  void number_shaders();
   std::vector<std::uint32_t> shader_numbers;  ///< of each object, in the order of scanline::shader_names
 };
 
@@ -129,16 +131,26 @@ Renderer::Renderer(const scanline::Scene& scene, std::string scene_file, RenderO
     }
   }
   work_ = std::make_unique<Work>(scene, std::move(scene_file), std::move(options));
+  work_->number_shaders();
+}
+
+void Renderer::Work::number_shaders() {
   const std::vector<std::string> names = scanline::shader_names(scene);
+  shader_numbers.clear();
   for (const scanline::Object& object : scene.objects) {
     const auto found = std::find(names.begin(), names.end(), object.shader.name);
-    work_->shader_numbers.push_back(static_cast<std::uint32_t>(found - names.begin()) + 1);
+    shader_numbers.push_back(static_cast<std::uint32_t>(found - names.begin()) + 1);
   }
+}
+
+void Renderer::scene_changed() {
+  work_->shading = std::make_unique<SceneShading>(work_->scene, work_->scene_file, work_->files);
+  work_->number_shaders();
 }
 
 Renderer::~Renderer() = default;
 
-const std::string& Renderer::shader_warnings() const { return work_->shading.warnings(); }
+const std::string& Renderer::shader_warnings() const { return work_->shading->warnings(); }
 
 std::int64_t Renderer::steps() const {
   const std::int64_t lines =
@@ -236,7 +248,7 @@ Renderer::Work::Region Renderer::Work::work_region(const RegionBuilder& builder,
     sources.push_back(builder.pack(k, found[k], packets));
     region.cost += found[k].cost;
     for (const SurfacePoint& point : found[k].points) {
-      region.largest_map = std::max(region.largest_map, shading.object(point.object).map_bytes);
+      region.largest_map = std::max(region.largest_map, shading->object(point.object).map_bytes);
     }
   }
   region.surfaces = watch.lap();
@@ -288,14 +300,14 @@ RenderedFrame Renderer::shade(VisibleFrame visible) {
     return result;
   }
 
-  const RegionBuilder builder(work.scene, work.shading, visible, work.width, work.height, options.traced);
+  const RegionBuilder builder(work.scene, *work.shading, visible, work.width, work.height, options.traced);
   const int made = work.cache.made(), reused = work.cache.reused();
   std::vector<Work::Region> regions(static_cast<std::size_t>(counts.regions));
   std::vector<Rgb8> samples(static_cast<std::size_t>(counts.samples), scanline::to_rgb8(work.scene.background));
   if (options.channels) result.picture.channels = work.empty_channels();
   try {
-    pfman::FrameShading frame(work.shading.surfaces(visible.moment), work.shading.lights(visible.moment),
-                              &work.shading.textures(), builder.eye_space(), work.cache);
+    pfman::FrameShading frame(work.shading->surfaces(visible.moment), work.shading->lights(visible.moment),
+                              &work.shading->textures(), builder.eye_space(), work.cache);
     for_each_index(counts.regions, options.threads, [&](int n) {
       regions[static_cast<std::size_t>(n)] =
           work.work_region(builder, visible, frame, n % work.across * kRegionWidth, n / work.across * kRegionHeight,
@@ -303,7 +315,7 @@ RenderedFrame Renderer::shade(VisibleFrame visible) {
       if (on_step) on_step();
     });
   } catch (const pfman::UniformError& error) {
-    throw work.shading.mistake(error);
+    throw work.shading->mistake(error);
   } catch (const std::invalid_argument& mistake) {  // surfaces and lights that do not fit each other
     throw scanline::UserError({work.scene_file, 0, 0, mistake.what()});
   }

@@ -89,6 +89,10 @@ class Renderer {
   Renderer(const scanline::Scene& scene, std::string scene_file, RenderOptions options);
   ~Renderer();
 
+  /// To be called when the scene is another, but for its size: what has been compiled, images and streams stay. Throws
+  /// scanline::UserError as the constructor does; the renderer is then of no use any more.
+  void scene_changed();
+
   /// Called after each scan line of a rendering node, and after each region; by any thread.
   std::function<void()> on_step;
   /// How often that will be, for one frame.

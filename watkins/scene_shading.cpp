@@ -68,36 +68,28 @@ bool same_ambient(const Object& a, const Object& b) {
 
 }  // namespace
 
-struct SceneShading::File {
-  std::filesystem::path path;
-  std::unique_ptr<pfman::CompiledUnit> unit;
-};
+ShadingFiles::ShadingFiles() : textures(pfman::test_textures()) {}
 
 bool ObjectSurface::needs(Kind kind) const {
   return std::any_of(sources.begin(), sources.end(), [&](const ParameterSource& s) { return s.kind == kind; });
 }
 
-SceneShading::SceneShading(const scanline::Scene& scene, const std::string& scene_file)
-    : scene_(scene), scene_file_(scene_file), textures_(pfman::test_textures()), first_image_(kFirstImage) {
-  for (const auto& [number, path] : scene.textures) {
-    read_texture(number, path, 0);
-    first_image_ = std::max(first_image_, number + 1);
-  }
+SceneShading::SceneShading(const scanline::Scene& scene, const std::string& scene_file, ShadingFiles& files)
+    : scene_(scene), scene_file_(scene_file), files_(files), first_image_(kFirstImage) {
+  keep_textures();
   for (std::size_t k = 0; k < scene.objects.size(); ++k) add_object(k);
   for (const scanline::Light& light : scene.lights) add_light(light);
-  if (files_diagnostics_.has_errors()) {
-    for (const pfman::Diagnostic& d : files_diagnostics_.all()) {
+  if (files_.diagnostics.has_errors()) {
+    for (const pfman::Diagnostic& d : files_.diagnostics.all()) {
       if (d.is_error()) {
-        mistakes_.push_back({files_diagnostics_.files()[d.where.file], static_cast<int>(d.where.line),
+        mistakes_.push_back({files_.diagnostics.files()[d.where.file], static_cast<int>(d.where.line),
                              static_cast<int>(d.where.column), d.text});
       }
     }
   }
   if (!mistakes_.empty()) throw scanline::UserError(mistakes_);
-  warnings_ = files_diagnostics_.text();
+  warnings_ = files_.diagnostics.text();
 }
-
-SceneShading::~SceneShading() = default;
 
 void SceneShading::wrong(int line, std::string message) {
   scanline::Diagnostic mistake{scene_file_, line, 0, std::move(message)};
@@ -110,17 +102,19 @@ void SceneShading::wrong(int line, std::string message) {
 const pfman::CompiledShader* SceneShading::find(const ShaderCall& call, pfman::Shader::Kind kind) {
   const bool own = call.file.empty();
   const std::filesystem::path path = own ? data_folder() / "shaders" / (call.name + ".pfman") : call.file;
-  auto known = std::find_if(files_.begin(), files_.end(), [&](const auto& file) { return file->path == path; });
-  if (known == files_.end()) {
+  auto& units = files_.units;
+  auto known = std::find_if(units.begin(), units.end(), [&](const auto& file) { return file->path == path; });
+  if (known == units.end()) {
     if (!std::filesystem::is_regular_file(path)) {
       wrong(call.line, own ? "there is no shader '" + call.name + "'; one of your own needs a 'file'"
                            : "cannot read '" + path.string() + "'");
       return nullptr;
     }
-    files_.push_back(std::make_unique<File>(File{path, pfman::compile_file(path, {}, files_diagnostics_)}));
-    known = files_.end() - 1;
+    auto unit = pfman::compile_file(path, {}, files_.diagnostics);
+    units.push_back(std::make_unique<ShadingFiles::Unit>(ShadingFiles::Unit{path, std::move(unit)}));
+    known = units.end() - 1;
   }
-  if (files_diagnostics_.has_errors()) return nullptr;  // said of the file
+  if (files_.diagnostics.has_errors()) return nullptr;  // said of the file
   const pfman::CompiledShader* shader = (*known)->unit->find(call.name);
   const char* const wanted = kind == pfman::Shader::Kind::Surface ? "surface" : "light";
   if (!shader || shader->shader->kind != kind) {
@@ -130,9 +124,20 @@ const pfman::CompiledShader* SceneShading::find(const ShaderCall& call, pfman::S
   return shader;
 }
 
+/// Images of the scene's own numbers that are there already stay; unless others are, too, which nobody has asked for.
+void SceneShading::keep_textures() {
+  if (files_.images != scene_.textures) {
+    files_.textures = pfman::test_textures();
+    files_.images.clear();
+    for (const auto& [number, path] : scene_.textures) read_texture(number, path, 0);
+  }
+  if (!scene_.textures.empty()) first_image_ = std::max(first_image_, scene_.textures.rbegin()->first + 1);
+}
+
 void SceneShading::read_texture(int number, const std::filesystem::path& path, int line) {
   try {
-    textures_.set(number, read_texture_file(path));
+    files_.textures.set(number, read_texture_file(path));
+    files_.images[number] = path;
   } catch (const scanline::UserError& e) {
     wrong(line, "cannot read '" + path.string() + "'");
     mistakes_.insert(mistakes_.end(), e.diagnostics().begin(), e.diagnostics().end());
@@ -185,7 +190,7 @@ bool SceneShading::add_source(const Object& object, const pfman::TransferEntry& 
   } else if (name == "polygon_normal" && count == 3) {
     source.kind = Kind::PolygonNormal;
   } else if (name == "px_shader_texcoord") {
-    source.kind = count == 2 ? Kind::TexCoord : Kind::Volume;
+    source.kind = has_attribute(object, name, count) ? Kind::Attribute : count == 2 ? Kind::TexCoord : Kind::Volume;
   } else if (name == "field_visibility") {
     source.kind = Kind::Visibility;
   } else if (name == "field_reflection" && count == 3) {
@@ -307,7 +312,7 @@ std::vector<pfman::Instance> SceneShading::lights(double moment) const {
 
 scanline::UserError SceneShading::mistake(const pfman::UniformError& error) const {
   scanline::Diagnostic diagnostic;
-  const std::vector<std::string>& names = files_diagnostics_.files();
+  const std::vector<std::string>& names = files_.diagnostics.files();
   if (error.where.file < names.size()) diagnostic.file = names[error.where.file];
   diagnostic.line = static_cast<int>(error.where.line);
   diagnostic.column = static_cast<int>(error.where.column);

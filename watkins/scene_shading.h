@@ -20,7 +20,7 @@ struct ParameterSource {
     Normal,         ///< px_material_normal: the attribute "normal", or the field's, or the polygon's own
     PolygonNormal,  ///< polygon_normal
     TexCoord,       ///< px_shader_texcoord[2]: the attribute "uv", or the object's coordinates along a face
-    Volume,         ///< px_shader_texcoord[3 or 4]: the object's own coordinates, and 1
+    Volume,         ///< px_shader_texcoord[3 or 4] without an attribute: the object's own coordinates, and 1
     Visibility,     ///< field_visibility
     Reflection,     ///< field_reflection
     Attribute       ///< of the parameter's name
@@ -43,16 +43,29 @@ struct ObjectSurface {
   bool needs(ParameterSource::Kind kind) const;
 };
 
+/// What stays when a scene's instances are made anew: compiled files, and images that have been read.
+struct ShadingFiles {
+  ShadingFiles();
+
+  struct Unit {
+    std::filesystem::path path;
+    std::unique_ptr<pfman::CompiledUnit> unit;
+  };
+  pfman::Diagnostics diagnostics;  ///< one for all files: a file's number names it among them all
+  std::vector<std::unique_ptr<Unit>> units;
+  std::map<int, std::filesystem::path> images;  ///< by number, in `textures`
+  pfman::TextureMemory textures;
+};
+
 /// Instances are the same for all moments, but for the values that depend on the moment.
 class SceneShading {
  public:
-  /// Throws UserError with every mistake found. The scene must outlive it.
-  SceneShading(const scanline::Scene& scene, const std::string& scene_file);
-  ~SceneShading();
+  /// Throws UserError with every mistake found; `files` are then of no use any more. Scene and files must outlive it.
+  SceneShading(const scanline::Scene& scene, const std::string& scene_file, ShadingFiles& files);
 
   /// Of objects, by their index in the scene.
   const ObjectSurface& object(std::size_t index) const { return objects_[index]; }
-  const pfman::TextureMemory& textures() const { return textures_; }
+  const pfman::TextureMemory& textures() const { return files_.textures; }
   const std::string& warnings() const { return warnings_; }
 
   /// Instances with their values at a moment, parameters with transform attributes in eye space.
@@ -63,7 +76,6 @@ class SceneShading {
   scanline::UserError mistake(const pfman::UniformError& error) const;
 
  private:
-  struct File;
   struct Made {
     pfman::Instance instance;
     std::size_t object = 0;  ///< whose space its parameters are in
@@ -72,6 +84,7 @@ class SceneShading {
   void add_object(std::size_t index);
   void add_light(const scanline::Light& light);
   void bind(pfman::Instance& instance, const scanline::ShaderCall& call);
+  void keep_textures();
   void read_texture(int number, const std::filesystem::path& path, int line);
   int texture(const std::string& name, int line);
   bool add_source(const scanline::Object& object, const pfman::TransferEntry& entry, pfman::Instance& instance,
@@ -81,13 +94,11 @@ class SceneShading {
 
   const scanline::Scene& scene_;
   std::string scene_file_;
-  pfman::Diagnostics files_diagnostics_;  ///< one for all files: a file's number names it among them all
-  std::vector<std::unique_ptr<File>> files_;
+  ShadingFiles& files_;
   std::vector<Made> surfaces_;
   std::vector<pfman::Instance> lights_;
   std::vector<ObjectSurface> objects_;
   std::map<std::string, int> images_;
-  pfman::TextureMemory textures_;
   int first_image_;  ///< number of the first of images_
   std::string warnings_;
   std::vector<scanline::Diagnostic> mistakes_;

@@ -326,6 +326,7 @@ void Context::texture(int number, const std::string& file) {
   const std::filesystem::path path = std::filesystem::absolute(file, error);
   if (!std::filesystem::is_regular_file(path, error)) throw Error("texture: cannot read '" + file + "'");
   state_->scene.textures[number] = path;
+  state_->renderer.reset();  // the file may be another than the last time it was named
 }
 
 void Context::frame_rate(double frames_a_second) {
@@ -338,7 +339,12 @@ void Context::frame(int number) { state_->frame = number; }
 Picture Context::render() {
   state_->check_outside("render");
   if (state_->defining) throw Error("render before end_shader");
-  return state_->draw();
+  try {
+    return state_->draw();
+  } catch (const std::exception& error) {
+    state_->renderer.reset();
+    throw Error(error.what());
+  }
 }
 
 }  // namespace watkins

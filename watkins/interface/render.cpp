@@ -81,7 +81,14 @@ void Context::State::complete_scene() {
 Picture Context::State::draw() {
   const double moment = frame++;
   complete_scene();
-  renderer = std::make_unique<Renderer>(scene, "", render_options(machine));
+  if (renderer && same(renderer_machine, machine) && renderer_width == scene.width && renderer_height == scene.height) {
+    renderer->scene_changed();
+  } else {
+    renderer = std::make_unique<Renderer>(scene, "", render_options(machine));
+    renderer_machine = machine;
+    renderer_width = scene.width;
+    renderer_height = scene.height;
+  }
   const RenderedFrame rendered = renderer->shade(renderer->find_visible(moment));
   Picture result;
   result.width = rendered.picture.width();
