@@ -88,7 +88,7 @@ inline pfman::RegionPixels random_pixels(std::mt19937_64& random, const std::vec
     if (random() % 256 >= of_256) continue;
     pixels.columns.push_back(static_cast<std::uint8_t>(place % pixelflow::kRegionWidth));
     pixels.rows.push_back(static_cast<std::uint8_t>(place / pixelflow::kRegionWidth));
-    pixels.depth.push_back(static_cast<std::uint32_t>(random() % 200) * 0x0101'0101u);
+    pixels.depth.push_back(static_cast<std::uint32_t>(random() % 8) * 0x2424'2424u);
     const int id = ids[random() % ids.size()];
     pixels.payload.push_back(static_cast<std::uint8_t>(id));
     pixels.payload.push_back(static_cast<std::uint8_t>(id >> 8));
