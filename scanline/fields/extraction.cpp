@@ -306,4 +306,19 @@ Mesh extract_surface(const Field& field, int cells) {
   return Extraction(field, std::clamp(cells, 1, kMostCells)).run();
 }
 
+MeasuredSurface extract_within(const Field& field, double error) {
+  MeasuredSurface best;
+  best.error.largest = best.error.missed = kInfinite;
+  const auto worse = [](const FieldError& e) { return std::max(e.largest, e.missed); };
+  for (int cells = 8; cells <= kMostCells; cells += cells / 2) {
+    Mesh mesh = extract_surface(field, cells);
+    if (mesh.polygons.empty()) continue;
+    if (mesh.polygons.size() > kMostPolygons) break;
+    const FieldError reached = measure(field, mesh);
+    if (worse(reached) < worse(best.error)) best = {std::move(mesh), cells, reached};
+    if (worse(best.error) <= error) break;
+  }
+  return best;
+}
+
 }  // namespace scanline
