@@ -32,7 +32,8 @@ struct RegionPixels {
 };
 
 /// How places on the screen and depths become positions in eye space: the eye at the origin, looking along -z.
-/// Column and row are those of samples of the whole picture, row 0 at the top.
+/// Column and row are those of samples of the whole picture, row 0 at the top. How exact positions are is said in
+/// region_programs.h.
 struct EyeSpace {
   bool perspective = true;
   double near = 0.1, far = 100;
@@ -65,7 +66,8 @@ struct RegionCounts {
 /// worked by any number of threads at once.
 class FrameShading {
  public:
-  /// Throws std::invalid_argument as ShadingNode does. `textures` may be null; `cache` outlives the frame, and keeps
+  /// Throws std::invalid_argument as ShadingNode does, and for a view without depth or of numbers beyond 1e30.
+  /// `textures` may be null; `cache` outlives the frame, and keeps
   /// its streams from frame to frame. Instances have the same order in every frame.
   FrameShading(std::vector<Instance> surfaces, std::vector<Instance> lights, const TextureMemory* textures,
                const EyeSpace& eye, StreamCache& cache);
@@ -93,7 +95,9 @@ class RegionNode {
     RegionCounts counts;
   };
   /// `first_column`, `first_row`: the region's upper left sample in the picture, multiples of the region's size.
-  /// `sources`: rendering nodes, the most upstream first; equal depths go to upstream. Throws UniformError.
+  /// `sources`: rendering nodes, the most upstream first; equal depths go to upstream. A pixel whose shader ID no
+  /// surface has gets no colour in particular. Throws UniformError, and std::invalid_argument for pixels that are not
+  /// as RegionPixels says or more than the array has elements for.
   Result work(FrameShading& frame, int first_column, int first_row, std::span<const RegionPixels> sources);
 
  private:
