@@ -141,9 +141,9 @@ size = [512, 512]
 background = [0.74, 0.82, 0.90]
 
 [camera]
-position = [-46, 19, 56]
-target = [0, 11, 1.5]
-field_of_view = 38
+position = [-49, 21, 61]
+target = [-3.2, 11.5, 1.5]
+field_of_view = 43
 near = 5
 far = 500
 
@@ -161,16 +161,16 @@ intensity = 0.35
 name = "ground"
 geometry = "shape"
 shape = "boxes"
-list = [{center = [80, -0.55, -80], size = [340, 1, 340]}]
+list = [{center = [80, -0.55, -80], size = [400, 1, 400]}]
 shader = {name = "meadow", file = "shaders/meadow.pfman", parameters = {haze = 0.002}}
 
 [[object]]
 name = "sky"
 geometry = "shape"
 shape = "plane"
-size = [520, 220]
+size = [620, 220]
 rotate = [90, -39, 0]
-translate = [148, 60, -188]
+translate = [160, 60, -204]
 shader = {name = "sky", file = "shaders/sky.pfman", parameters = {horizon = 0.2, clouds = [8, 7]}}
 """
 
