@@ -120,7 +120,7 @@ std::optional<FieldHit> FieldScene::first_hit(const glm::dvec3& origin, const gl
   const Placed* first = nullptr;
   for (const Placed& placed : objects_) {
     const auto t = line(placed, origin, direction, cost).first_entry(from, to, reach, kMostSteps);
-    if (!t || (first && *t >= to)) continue;
+    if (!t) continue;
     first = &placed;
     to = *t;
   }

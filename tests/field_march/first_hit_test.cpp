@@ -159,6 +159,12 @@ TEST(field_march_first_hit, moves_with_the_object) {
   }
 }
 
+TEST(field_march_first_hit, of_equal_surfaces_is_the_first_object) {
+  const scanline::Scene scene = scene_of({Solid{}, Solid{}});
+  FieldCost cost;
+  EXPECT_EQ(FieldScene(scene, 1).first_hit({0, 0, 5}, {0, 0, -1}, 0, 100, cost)->object, 0u);
+}
+
 TEST(field_march_first_hit, ends_where_it_is_told) {
   const scanline::Scene scene = scene_of({Solid{}});
   const FieldScene fields(scene, 1);

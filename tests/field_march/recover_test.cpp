@@ -1,6 +1,9 @@
 // The surface behind or before a polygon, along the line of sight.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "scanline/fields/operations.h"
 #include "tests/field_march/oracle.h"
 
 namespace field_march_tests {
@@ -126,6 +129,42 @@ TEST(field_march_recover, keeps_to_the_polygon_that_is_seen) {
   ASSERT_GT(truth[0].first, 10);
   EXPECT_FALSE(fields.recover(0, level + glm::dvec3(0, 0.08, 0), down, 8, cost));
   EXPECT_EQ(cost.missed, 1u);
+}
+
+TEST(field_march_recover, looks_behind_what_the_sight_has_left) {
+  // Polygons that stand over a ball's outline: the line of sight goes through the ball before it meets them.
+  const scanline::Scene scene = scene_of({Solid{}});
+  const FieldScene fields(scene, 1);
+  FieldCost cost;
+  for (const double depth : {1e-2, 1e-3, 1e-4}) {
+    const glm::dvec3 eye(0, 1 - depth, 10), direction(0, 0, -1);
+    const Intervals truth = meetings(Solid{}, eye, direction);
+    const auto exit = static_cast<double>(truth[0].second);
+    const auto hit = fields.recover(0, eye, direction, exit + std::sqrt(depth), cost);
+    ASSERT_TRUE(hit) << depth;
+    EXPECT_NEAR(hit->t, static_cast<double>(truth[0].first), 1e-8) << depth;
+  }
+}
+
+TEST(field_march_recover, finds_the_bottom_of_what_polygons_close) {
+  // A groove of 0.02 x 0.01 along z, closed by a polygon at y = 1; in the middle the walls are farther away than at
+  // first.
+  namespace f = scanline::fields;
+  const auto block = f::box({2, 2, 2}), groove = f::box(scanline::Bounds{{-0.01, 0.99, -2}, {0.01, 1.01, 2}});
+  scanline::Object object;
+  object.field = f::subtract({block, groove});
+  object.keys = {{}};
+  scanline::Scene scene;
+  scene.objects = {object};
+  const FieldScene fields(scene, 1);
+  FieldCost cost;
+  for (const double x : {-0.0099, -0.009, -0.005, 0.0}) {
+    const glm::dvec3 direction = glm::normalize(glm::dvec3(0.6, -1, 0)), polygon(x, 1, 0);
+    const auto hit = fields.recover(0, polygon - 3.0 * direction, direction, 3, cost);
+    ASSERT_TRUE(hit) << x;
+    EXPECT_NEAR(hit->position.y, 0.99, 1e-9) << x;
+    EXPECT_NEAR(hit->position.x, x + 0.006, 1e-9) << x;
+  }
 }
 
 TEST(field_march_recover, of_objects_without_a_field_is_a_miss) {
