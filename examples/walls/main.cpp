@@ -32,7 +32,6 @@ void draw_wall(watkins::Context& context) {
 }
 
 void draw_floor(watkins::Context& context) {
-  context.color(0.45, 0.5, 0.45);
   context.normal(0, 1, 0);
   context.begin();
   context.vertex(0, 0, -4);
@@ -52,6 +51,12 @@ watkins::Picture draw(watkins::Context& context) {
   const watkins::ShaderId fat_red = brick(context, 0.5, 0.25, {0.62, 0.16, 0.10});
   const watkins::ShaderId thin_yellow = brick(context, 0.25, 0.08, {0.80, 0.66, 0.22});
 
+  // The default surface wants lights of three colours, as OpenGL has them; a lamp has one.
+  context.load_extension_code("matte.pfman");
+  const watkins::ShaderId floor = context.new_shader("matte");
+  context.bound_material(floor, "rgb", {0.45, 0.5, 0.45});
+  context.end_shader();
+
   context.load_extension_code("point_light.pfman");
   const watkins::LightId lamp = context.new_light("point_light");
   context.light(lamp, "position", {0, 1.8, -0.6});
@@ -63,6 +68,7 @@ watkins::Picture draw(watkins::Context& context) {
   context.light(sun, "diffuse", {0.6, 0.6, 0.55});
   context.enable(sun);
 
+  context.shader(floor);
   draw_floor(context);
   // The walls meet in the corner at (0, 0, -2).
   context.shader(fat_red);
