@@ -67,8 +67,8 @@ struct RegionCounts {
 class FrameShading {
  public:
   /// Throws std::invalid_argument as ShadingNode does, and for a view without depth or of numbers beyond 1e30.
-  /// `textures` may be null; `cache` outlives the frame, and keeps
-  /// its streams from frame to frame. Instances have the same order in every frame.
+  /// `textures` may be null; `cache` outlives the frame, and keeps its streams from frame to frame. Instances have the
+  /// same order in every frame.
   FrameShading(std::vector<Instance> surfaces, std::vector<Instance> lights, const TextureMemory* textures,
                const EyeSpace& eye, StreamCache& cache);
   ~FrameShading();
