@@ -61,7 +61,7 @@ struct Machine {
 
 /// What a picture cost the machines.
 struct Counts {
-  std::int64_t polygons = 0;            ///< on the screen that face the eye
+  std::int64_t polygons = 0;            ///< on the screen, those that face away included
   std::int64_t segment_references = 0;  ///< of the Visible Segment Generator to its memory
   std::int64_t regions = 0, covered_regions = 0;
   std::int64_t samples = 0, covered_samples = 0;

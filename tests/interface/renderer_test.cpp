@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <thread>
+
 #include "scanline/mesh.h"
 #include "scanline/scene.h"
 #include "tests/interface/drawing.h"
@@ -174,6 +176,23 @@ INSTANTIATE_TEST_SUITE_P(interface, ContextAndRenderer,
                            return std::string(test.param.name) + "_samples_" + std::to_string(test.param.samples) +
                                   "_nodes_" + std::to_string(test.param.rendering_nodes);
                          });
+
+TEST(ContextAndRenderer, interface_context_several_at_a_time) {
+  std::vector<float> pictures[3];
+  const auto work = [&](int n) {
+    watkins::Context context;
+    context.machine(fast());
+    draw_same(context);
+    pictures[n] = context.render().colors;
+  };
+  std::thread first(work, 0), second(work, 1);
+  work(2);
+  first.join();
+  second.join();
+  EXPECT_EQ(pictures[0], pictures[2]);
+  EXPECT_EQ(pictures[1], pictures[2]);
+  EXPECT_FALSE(pictures[2].empty());
+}
 
 /// The comparison above sees a single number that is another.
 TEST(ContextAndRenderer, interface_context_difference_is_seen) {

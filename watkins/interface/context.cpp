@@ -117,7 +117,13 @@ void Context::background(double r, double g, double b) {
 
 std::vector<Function> Context::load_extension_code(const std::string& file) {
   std::vector<Function> result;
-  for (const LoadedFunction* function : state_->library.load(file)) result.push_back(function->said());
+  try {
+    for (const LoadedFunction* function : state_->library.load(file)) result.push_back(function->said());
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& error) {  // a default value that cannot be worked out
+    throw Error("'" + file + "': " + error.what());
+  }
   return result;
 }
 
