@@ -48,7 +48,7 @@ struct CloseDataset {
   void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
 };
 
-/// Metres to the east and to the south of one degree at a latitude (radians) of the system's ellipsoid.
+/// Metres of a radian to the east and to the south, at a latitude (radians) of the system's ellipsoid.
 glm::dvec2 metres_per_radian(const OGRSpatialReference& system, double latitude) {
   const double a = system.GetSemiMajor(), inverse_flattening = system.GetInvFlattening();
   const double f = inverse_flattening == 0 ? 0 : 1 / inverse_flattening;
