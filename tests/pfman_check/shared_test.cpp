@@ -54,6 +54,31 @@ TEST(pfman_check, shared_phong_and_texture_are_the_code_written_out) {
   EXPECT_TRUE(shared.shader("s").shared_texture);
 }
 
+/// Where the result is named behind the lights only, the lookup is made before them all the same.
+TEST(pfman_check, shared_texture_stands_before_the_illuminance) {
+  const std::string flag = "#pragma pfman shared_texture\n", lookup = "texture4(";
+  const Checked own(flag +
+                    R"(surface s(output varying fixed<8,8> px_shader_color[3], varying float px_shader_texcoord[2])
+{
+    px_magic_texid = 3;
+    px_magic_texcoord = px_shader_texcoord;
+    fixed<16,12> sum[3] = { 0, 0, 0 };
+    illuminance () { sum = px_light_color; }
+    px_shader_color = { px_magic_texel[0] * sum[0], 0, 0 };
+})");
+  EXPECT_EQ(own.messages(), "");
+  EXPECT_LT(own.statements("s").find(lookup), own.statements("s").find("illuminance"));
+  const Checked phong(flag + "#pragma pfman shared_phong\nsurface s" + kParameters + R"({
+    px_magic_texid = 3;
+    px_magic_texcoord = px_shader_texcoord;
+    px_magic_kd = px_magic_ks = { 1, 1, 1 };
+    px_magic_exp = 2;
+    float lit[3] = px_magic_diffuse + px_magic_highlight;
+    px_shader_color = { px_magic_texel[0] * lit[0], 0, 0 };
+})");
+  EXPECT_LT(phong.statements("s").find(lookup), phong.statements("s").find("illuminance"));
+}
+
 TEST(pfman_check, shared_results_that_nobody_reads_cost_nothing) {
   const Checked unit(
       "#pragma pfman shared_phong\nsurface s(output varying fixed<8,8> px_shader_color[3]) { px_magic_exp = 1; }");
