@@ -4,14 +4,17 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <unordered_map>
 #include <vector>
 
+#include "scanline/error.h"
 #include "scanline/fields/cell_surface.h"
 #include "scanline/fields/flat_merge.h"
 #include "scanline/fields/geometry.h"
 #include "scanline/fields/plane_fit.h"
+#include "scanline/fields/root.h"
 #include "scanline/polygon.h"
 
 namespace scanline {
@@ -24,6 +27,10 @@ constexpr double kMargin = 1e-3;
 
 /// Flat within this share of a cell counts as flat: the rounding of roots and fits stays far below.
 constexpr double kFlat = 1e-7;
+
+/// A vertex outside its room is at most this far from the middle of its cell along each axis, in cells; and polygons
+/// with such vertices face the way of the surface at their edge at least as much as this (a cosine).
+constexpr double kFarthest = 2, kFacing = 0.5;
 
 /// Part of a cell by which the lattice begins before the field's box. Sides of the box run through the middle of cells
 /// or nearly so, and planes at simple fractions of it do not fall on corners, where inside and outside are a matter of
@@ -57,35 +64,19 @@ struct Lattice {
   glm::ivec3 count{1};  ///< of cells
 };
 
-/// Where in [0, 1] a function passes from below 0 to above: by the ITP method (Oliveira, Takahashi 2020), never in more
-/// steps than halving would take, and one.
-template <typename Function>
-double root(Function&& function) {
-  constexpr double kEnough = 0x1p-44;
-  double low = 0, high = 1, at_low = function(low), at_high = function(high);
-  double halved = 1;  // what halving would have left of the interval by now, twice
-  while (high - low > 2 * kEnough) {
-    const double middle = (low + high) / 2, width = high - low;
-    const double slack = halved - width / 2;
-    halved /= 2;
-    double secant = (at_high * low - at_low * high) / (at_high - at_low);
-    if (!(secant >= low && secant <= high)) secant = middle;  // no change of sign, or no number
-    const double towards = middle < secant ? -1 : 1, nudge = 0.2 * width * width;
-    const double truncated = nudge <= std::abs(middle - secant) ? secant + towards * nudge : middle;
-    const double t = std::abs(truncated - middle) <= slack ? truncated : middle - towards * slack;
-    const double value = function(t);
-    if (value == 0) return t;
-    (value < 0 ? low : high) = t;
-    (value < 0 ? at_low : at_high) = value;
-  }
-  return (low + high) / 2;
-}
-
 struct Cell {
   glm::ivec3 place{0};
   std::uint8_t inside = 0, joined = 0;  ///< as cell_surface wants them
   CellSurface surface;
   std::uint32_t first_vertex = 0;
+};
+
+/// The polygon of a crossed edge, outside in front.
+struct Quad {
+  std::array<std::uint32_t, 4> vertices;
+  int axis;           ///< of the edge
+  double direction;   ///< 1: the edge leads outwards; -1: inwards
+  glm::dvec3 normal;  ///< of the surface where it crosses the edge
 };
 
 class Extraction {
@@ -100,7 +91,9 @@ class Extraction {
     complete_cells();
     resolve_faces();
     for (Cell& cell : cells_) make_vertices(cell);
-    for (const Cell& cell : cells_) make_polygons(cell);
+    for (const Cell& cell : cells_) make_quads(cell);
+    settle();
+    for (const Quad& quad : quads_) add_quad(quad);
     merge_flat(mesh_, kFlat * std::min({lattice_.step.x, lattice_.step.y, lattice_.step.z}));
     return std::move(mesh_);
   }
@@ -130,6 +123,11 @@ class Extraction {
     Cell cell{place, 0, 0, {}, 0};
     for (int k = 0; k < 8; ++k) cell.inside |= static_cast<std::uint8_t>(is_inside(place + corner_offset(k)) << k);
     if (cell.inside != 0 && cell.inside != 0xff) cells_.push_back(cell);
+    // A field whose distances are far too small, as those of a fine repetition are, would lead into every cell.
+    if (cells_.size() > kMostSurfaceCells || corners_.size() > 8 * kMostSurfaceCells) {
+      throw UserError(
+          {"", 0, 0, "the field's surface passes more than " + std::to_string(kMostSurfaceCells) + " cells"});
+    }
   }
 
   /// All cells around a crossed edge are there by what distances mean; rounding shall not make an exception.
@@ -235,44 +233,96 @@ class Extraction {
         if (cell.surface.sheet[edge] != sheet) continue;
         planes.push_back(crossing(cell.place + corner_offset(edge_corner(edge)), edge / 4));
       }
-      mesh_.positions.push_back(fit_planes(planes, room));
-      normals_.push_back(field_.normal(mesh_.positions.back()));
+      const PlaneFit fit = fit_planes(planes, room);
+      mesh_.positions.push_back(fit.point);
+      if (!fit.meeting) continue;
+      const glm::dvec3 way = glm::abs(*fit.meeting - lattice_.point(glm::dvec3(cell.place) + 0.5)) / lattice_.step;
+      if (std::max({way.x, way.y, way.z}) > kFarthest) continue;
+      if (std::abs(field_.distance(*fit.meeting)) >= std::abs(field_.distance(fit.point))) continue;
+      moved_.emplace(static_cast<std::uint32_t>(mesh_.positions.size() - 1), *fit.meeting);
     }
   }
 
-  /// The polygons of the three edges that start in the cell's lowest corner: one vertex from each cell around an edge.
-  void make_polygons(const Cell& cell) {
+  /// The quads of the three edges that start in the cell's lowest corner: one vertex from each cell around an edge.
+  void make_quads(const Cell& cell) {
     for (int axis = 0; axis < 3; ++axis) {
       if (cell.surface.sheet[4 * axis] < 0) continue;
-      std::array<std::uint32_t, 4> quad{};
+      Quad quad{{}, axis, is_inside(cell.place) ? 1.0 : -1.0, crossing(cell.place, axis).normal};
       constexpr std::array<int, 4> kAround{3, 2, 0, 1};  // counter-clockwise, seen from the edge's end
       for (int k = 0; k < 4; ++k) {
         const int j = kAround[k];
         const Cell& beside = cell_at(around(cell.place, axis, j));
-        quad[k] = beside.first_vertex + static_cast<std::uint32_t>(beside.surface.sheet[4 * axis + j]);
+        quad.vertices[k] = beside.first_vertex + static_cast<std::uint32_t>(beside.surface.sheet[4 * axis + j]);
       }
-      const bool outwards = is_inside(cell.place);
-      if (!outwards) std::reverse(quad.begin(), quad.end());
-      add_quad(quad, axis, outwards ? 1 : -1);
+      if (quad.direction < 0) std::reverse(quad.vertices.begin(), quad.vertices.end());
+      quads_.push_back(quad);
     }
   }
 
-  /// Seen along the edge that it belongs to, a quad has a corner in each quadrant: one of its diagonals at least lies
-  /// inside.
-  void add_quad(const std::array<std::uint32_t, 4>& quad, int axis, double direction) {
+  /// Vertices whose planes meet outside their room go there, unless a polygon would turn over: then those of that
+  /// polygon come back, until none does.
+  void settle() {
+    std::vector<std::size_t> concerned;
+    for (std::size_t k = 0; k < quads_.size(); ++k) {
+      const auto& v = quads_[k].vertices;
+      if (std::any_of(v.begin(), v.end(), [&](std::uint32_t n) { return moved_.contains(n); })) concerned.push_back(k);
+    }
+    for (auto& [vertex, place] : moved_) std::swap(mesh_.positions[vertex], place);
+    bool is_settled = false;
+    while (!is_settled) {
+      is_settled = true;
+      for (const std::size_t k : concerned) {
+        if (!turns_over(quads_[k], 0) || !turns_over(quads_[k], 1)) continue;
+        for (const std::uint32_t vertex : quads_[k].vertices) {
+          const auto entry = moved_.find(vertex);
+          if (entry == moved_.end()) continue;
+          mesh_.positions[vertex] = entry->second;
+          moved_.erase(entry);
+          is_settled = false;
+        }
+      }
+    }
+    for (const glm::dvec3& p : mesh_.positions) normals_.push_back(field_.normal(p));
+  }
+
+  std::array<glm::dvec3, 4> corners(const Quad& quad) const {
     std::array<glm::dvec3, 4> p;
-    for (int k = 0; k < 4; ++k) p[k] = mesh_.positions[quad[k]];
-    if (unevenness(p) <= kPlanarTolerance && !crosses_itself(p)) return add_polygon(quad);
-    const auto folds = [&](int k) {
-      const auto area = [&](int a, int b, int c) {
-        return glm::cross(p[b % 4] - p[a % 4], p[c % 4] - p[a % 4])[axis] * direction;
-      };
-      return !(area(k, k + 1, k + 2) > 0 && area(k, k + 2, k + 3) > 0);
-    };
+    for (int k = 0; k < 4; ++k) p[k] = mesh_.positions[quad.vertices[k]];
+    return p;
+  }
+
+  /// True when a triangle of the quad, cut from corner `from`, faces away from the surface at the quad's edge.
+  bool turns_over(const Quad& quad, int from) const {
+    const auto p = corners(quad);
+    for (const int k : {1, 2}) {
+      const glm::dvec3 area = glm::cross(p[from + k] - p[from], p[(from + k + 1) % 4] - p[from]);
+      if (!(glm::dot(area, quad.normal) > kFacing * glm::length(area))) return true;
+    }
+    return false;
+  }
+
+  /// The same as seen along the edge, where an unmoved vertex is in its own quadrant: one of the diagonals at least
+  /// lies inside, then.
+  bool folds(const Quad& quad, int from) const {
+    const bool has_moved =
+        std::any_of(quad.vertices.begin(), quad.vertices.end(), [&](std::uint32_t v) { return moved_.contains(v); });
+    if (has_moved) return turns_over(quad, from);
+    const auto p = corners(quad);
+    for (const int k : {1, 2}) {
+      const glm::dvec3 area = glm::cross(p[from + k] - p[from], p[(from + k + 1) % 4] - p[from]);
+      if (!(area[quad.axis] * quad.direction > 0)) return true;
+    }
+    return false;
+  }
+
+  void add_quad(const Quad& quad) {
+    const auto& v = quad.vertices;
+    const auto p = corners(quad);
+    if (unevenness(p) <= kPlanarTolerance && !crosses_itself(p)) return add_polygon(v);
     const auto error = [&](int k) { return std::abs(field_.distance((p[k] + p[k + 2]) / 2.0)); };
-    const int from = folds(0) ? 1 : folds(1) ? 0 : error(1) < error(0) ? 1 : 0;
-    add_polygon(std::array{quad[from], quad[from + 1], quad[from + 2]});
-    add_polygon(std::array{quad[from], quad[from + 2], quad[(from + 3) % 4]});
+    const int from = folds(quad, 0) ? 1 : folds(quad, 1) ? 0 : error(1) < error(0) ? 1 : 0;
+    add_polygon(std::array{v[from], v[from + 1], v[from + 2]});
+    add_polygon(std::array{v[from], v[from + 2], v[(from + 3) % 4]});
   }
 
   void add_polygon(std::span<const std::uint32_t> vertices) {
@@ -294,6 +344,8 @@ class Extraction {
   std::unordered_map<Key, std::size_t> index_;
   std::unordered_map<Key, bool> corners_;
   std::unordered_map<Key, Crossing> crossings_;
+  std::map<std::uint32_t, glm::dvec3> moved_;  ///< vertices outside their rooms, and their places inside
+  std::vector<Quad> quads_;
   std::vector<glm::dvec3> normals_;  ///< one a vertex
   Mesh mesh_;
 };
@@ -303,20 +355,24 @@ class Extraction {
 Mesh extract_surface(const Field& field, int cells) {
   const Bounds box = field.bounds();
   if (!is_finite(box) || !glm::any(glm::greaterThan(box.high, box.low))) return {};
-  return Extraction(field, std::clamp(cells, 1, kMostCells)).run();
+  return Extraction(field, std::clamp(cells, kFewestCells, kMostCells)).run();
 }
 
 MeasuredSurface extract_within(const Field& field, double error) {
   MeasuredSurface best;
   best.error.largest = best.error.missed = kInfinite;
-  const auto worse = [](const FieldError& e) { return std::max(e.largest, e.missed); };
   for (int cells = 8; cells <= kMostCells; cells += cells / 2) {
-    Mesh mesh = extract_surface(field, cells);
+    Mesh mesh;
+    try {
+      mesh = extract_surface(field, cells);
+    } catch (const UserError&) {
+      break;
+    }
     if (mesh.polygons.empty()) continue;
     if (mesh.polygons.size() > kMostPolygons) break;
     const FieldError reached = measure(field, mesh);
-    if (worse(reached) < worse(best.error)) best = {std::move(mesh), cells, reached};
-    if (worse(best.error) <= error) break;
+    if (reached.worst() < best.error.worst()) best = {std::move(mesh), cells, reached};
+    if (best.error.worst() <= error) break;
   }
   return best;
 }

@@ -9,15 +9,16 @@
 
 namespace scanline {
 
-constexpr int kMostCells = 512;
+constexpr int kFewestCells = 2, kMostCells = 512;
+constexpr std::size_t kMostSurfaceCells = 1'000'000;
 /// What the machine's memory of polygons holds.
 constexpr std::size_t kMostPolygons = vsg::kPolygonBlocks;
 
 /// A closed mesh of planar polygons, outside in front; every edge belongs to exactly two of them. Vertices lie on the
 /// solid's edges and corners where it has such; flat parts become large polygons, whatever the number of cells. What
 /// is thinner than a cell may be lost. Corners carry "normal", the field's.
-/// `cells`: along the longest side of the field's box, 1 to kMostCells. The field's bounds must be finite. No polygons
-/// when no corner of the lattice is inside the solid.
+/// `cells`: along the longest side of the field's box, kFewestCells to kMostCells. The field's bounds must be finite.
+/// No polygons when no corner of the lattice is inside the solid.
 Mesh extract_surface(const Field& field, int cells);
 
 struct MeasuredSurface {

@@ -1,13 +1,19 @@
 #include "scanline/fields/field_reader.h"
 
+#include <sstream>
+
 #include "scanline/fields/extraction.h"
 #include "scanline/fields/geometry.h"
+#include "scanline/fields/grid_field.h"
+#include "scanline/fields/mesh_field.h"
 #include "scanline/fields/operations.h"
 #include "scanline/fields/primitives.h"
+#include "scanline/mesh_reader.h"
 
 namespace scanline {
 namespace {
 
+constexpr int kUsualCells = 64;
 constexpr int kDeepest = 32;
 constexpr int kMostNodes = 4096;
 /// Lengths of a field; their ratios stay such that doubles can tell the small from the large.
@@ -15,9 +21,34 @@ constexpr Range kLength{1e-6, 1e6};
 constexpr Range kLengthOrNone{0, 1e6};
 constexpr Range kPlace{-1e9, 1e9};
 
+/// `[[x, y, z], [x, y, z]]`; nothing when missing or wrong.
+std::optional<Bounds> read_bounds(TomlTable& t) {
+  const toml::node* node = t.node("bounds");
+  if (!node) return std::nullopt;
+  const auto number = [](const toml::node& n) {
+    const auto value = n.is_number() ? n.value<double>() : std::nullopt;
+    return value && std::abs(*value) <= kPlace.high ? value : std::nullopt;
+  };
+  Bounds box;
+  const toml::array* rows = node->as_array();
+  bool is_right = rows && rows->size() == 2;
+  for (std::size_t r = 0; is_right && r < 2; ++r) {
+    const toml::array* row = (*rows)[r].as_array();
+    is_right = row && row->size() == 3;
+    for (int k = 0; is_right && k < 3; ++k) {
+      const auto value = number((*row)[static_cast<std::size_t>(k)]);
+      is_right = value.has_value();
+      if (value) (r == 0 ? box.low : box.high)[k] = *value;
+    }
+  }
+  if (is_right && glm::all(glm::greaterThanEqual(box.high - box.low, glm::dvec3(kLength.low)))) return box;
+  t.mistakes().add(node->source(), "'bounds' of a field must be [[x, y, z], [x, y, z]], the lower corner first");
+  return std::nullopt;
+}
+
 class FieldReader {
  public:
-  explicit FieldReader(TomlMistakes& mistakes) : mistakes_(mistakes) {}
+  FieldReader(TomlMistakes& mistakes, const std::filesystem::path& folder) : mistakes_(mistakes), folder_(folder) {}
 
   /// Nothing when something is wrong with it or what it is made of.
   FieldPointer read(TomlTable& t, int depth) {
@@ -32,16 +63,16 @@ class FieldReader {
       t.ignore_unknown();
       return nullptr;
     }
-    static const std::vector<std::string> kinds{"sphere",      "box",          "plane",    "torus", "cylinder",
-                                                "cone",        "ellipsoid",    "triangle", "union", "intersection",
-                                                "subtraction", "smooth_union", "repeat"};
+    static const std::vector<std::string> kinds{"sphere",       "box",         "plane",        "torus",  "cylinder",
+                                                "cone",         "ellipsoid",   "triangle",     "mesh",   "union",
+                                                "intersection", "subtraction", "smooth_union", "repeat", "grid"};
     using Read = FieldPointer (FieldReader::*)(TomlTable&, int);
     static constexpr Read readers[] = {
-        &FieldReader::read_sphere,       &FieldReader::read_box,         &FieldReader::read_plane,
-        &FieldReader::read_torus,        &FieldReader::read_cylinder,    &FieldReader::read_cone,
-        &FieldReader::read_ellipsoid,    &FieldReader::read_triangle,    &FieldReader::read_union,
-        &FieldReader::read_intersection, &FieldReader::read_subtraction, &FieldReader::read_smooth_union,
-        &FieldReader::read_repeat};
+        &FieldReader::read_sphere,       &FieldReader::read_box,          &FieldReader::read_plane,
+        &FieldReader::read_torus,        &FieldReader::read_cylinder,     &FieldReader::read_cone,
+        &FieldReader::read_ellipsoid,    &FieldReader::read_triangle,     &FieldReader::read_mesh,
+        &FieldReader::read_union,        &FieldReader::read_intersection, &FieldReader::read_subtraction,
+        &FieldReader::read_smooth_union, &FieldReader::read_repeat,       &FieldReader::read_grid};
     if (!t.has("kind")) t.missing("kind");
     const std::size_t kind = t.choice("kind", kinds, kinds.size());
     if (kind == kinds.size()) {
@@ -103,6 +134,22 @@ class FieldReader {
       corners[k] = t.vector<3>(kNames[k], glm::dvec3(0), {-1e6, 1e6});
     }
     return fields::triangle(corners, t.number("thickness", 0.05, kLength));
+  }
+
+  FieldPointer read_mesh(TomlTable& t, int) {
+    const std::string file = t.text("file", "");
+    if (!t.has("file")) t.missing("file");
+    if (file.empty()) return nullptr;
+    try {
+      const Mesh mesh = read_mesh_file(folder_ / file);
+      const std::string fault = fields::mesh_fault(mesh);
+      if (fault.empty()) return fields::mesh_field(mesh);
+      mistakes_.add(t.where("file"), "'" + file + "' cannot be a field: " + fault);
+    } catch (const UserError& e) {
+      mistakes_.add(t.where("file"), "cannot read '" + file + "'");
+      mistakes_.list.insert(mistakes_.list.end(), e.diagnostics().begin(), e.diagnostics().end());
+    }
+    return nullptr;
   }
 
   std::vector<FieldPointer> read_parts(TomlTable& t, int depth, std::size_t least) {
@@ -170,48 +217,72 @@ class FieldReader {
     return fields::repeat(std::move(part), spacing, glm::ivec3(counts));
   }
 
+  FieldPointer read_grid(TomlTable& t, int depth) {
+    const std::size_t before = mistakes_.list.size();
+    FieldPointer part = read_part(t, depth);
+    const int cells = t.integer("cells", 64, 2, fields::kMostGridCells);
+    const std::optional<Bounds> bounds = read_bounds(t);
+    if (mistakes_.list.size() != before) return part;
+    if (bounds) part = fields::intersect({part, fields::box(*bounds)});
+    if (is_finite(part->bounds())) return fields::grid_field(*part, cells);
+    mistakes_.add(t.where("of"), "what a grid is made of is infinite: the grid needs the key 'bounds'");
+    return part;
+  }
+
   TomlMistakes& mistakes_;
+  const std::filesystem::path& folder_;
   int nodes_ = 0;
 };
 
-/// `[[x, y, z], [x, y, z]]`; nothing when missing or wrong.
-std::optional<Bounds> read_bounds(TomlTable& t) {
-  const toml::node* node = t.node("bounds");
-  if (!node) return std::nullopt;
-  const auto number = [](const toml::node& n) {
-    const auto value = n.is_number() ? n.value<double>() : std::nullopt;
-    return value && std::abs(*value) <= kPlace.high ? value : std::nullopt;
-  };
-  Bounds box;
-  const toml::array* rows = node->as_array();
-  bool is_right = rows && rows->size() == 2;
-  for (std::size_t r = 0; is_right && r < 2; ++r) {
-    const toml::array* row = (*rows)[r].as_array();
-    is_right = row && row->size() == 3;
-    for (int k = 0; is_right && k < 3; ++k) {
-      const auto value = number((*row)[static_cast<std::size_t>(k)]);
-      is_right = value.has_value();
-      if (value) (r == 0 ? box.low : box.high)[k] = *value;
-    }
+bool is_measurable(const Bounds& box) {
+  const glm::dvec3 size = box.high - box.low, farthest = glm::max(glm::abs(box.low), glm::abs(box.high));
+  return std::max({size.x, size.y, size.z}) >= 1e-9 && std::max({farthest.x, farthest.y, farthest.z}) <= 1e12;
+}
+
+Mesh polygons(TomlTable& object, const Field& field, int cells) {
+  Mesh mesh;
+  try {
+    mesh = extract_surface(field, cells);
+    if (!mesh.polygons.empty()) return mesh;
+    object.mistakes().add(object.where("field"), "the field has no surface that its cells would show");
+  } catch (const UserError& e) {
+    object.mistakes().add(object.where("field"), e.diagnostics()[0].message);
   }
-  if (is_right && glm::all(glm::greaterThanEqual(box.high - box.low, glm::dvec3(kLength.low)))) return box;
-  t.mistakes().add(node->source(), "'bounds' of a field must be [[x, y, z], [x, y, z]], the lower corner first");
-  return std::nullopt;
+  return mesh;
+}
+
+Mesh polygons_within(TomlTable& object, const Field& field, double error) {
+  MeasuredSurface surface = extract_within(field, error);
+  std::ostringstream message;
+  if (surface.mesh.polygons.empty()) {
+    message << "the field has no surface that cells would show";
+  } else if (!(surface.error.worst() <= error)) {
+    message << "the polygons come no nearer to the field than " << surface.error.worst() << ", with " << surface.cells
+            << " cells and " << surface.mesh.polygons.size() << " polygons";
+  } else {
+    return std::move(surface.mesh);
+  }
+  object.mistakes().add(object.where("error"), message.str());
+  return {};
 }
 
 }  // namespace
 
-Geometry read_field_geometry(TomlTable& object, const std::filesystem::path&) {
+Geometry read_field_geometry(TomlTable& object, const std::filesystem::path& folder) {
   TomlMistakes& mistakes = object.mistakes();
   const std::size_t before = mistakes.list.size();
   FieldPointer field;
   if (!object.has("field")) object.missing("field");
   if (auto table = object.table("field", "field")) {
-    field = FieldReader(mistakes).read(*table, 1);
+    field = FieldReader(mistakes, folder).read(*table, 1);
     table->finish();
   }
   const std::optional<Bounds> bounds = read_bounds(object);
-  const int cells = object.integer("cells", 64, 1, kMostCells);
+  const int cells = object.integer("cells", kUsualCells, kFewestCells, kMostCells);
+  const double error = object.number("error", 0, kLength);
+  if (object.has("cells") && object.has("error")) {
+    mistakes.add(object.where("error"), "a field has either 'cells' or 'error'");
+  }
   if (mistakes.list.size() != before || !field) return {};
   // The field itself ends at its bounds, so that its surface is the polygons' everywhere.
   if (bounds) field = fields::intersect({field, fields::box(*bounds)});
@@ -219,11 +290,12 @@ Geometry read_field_geometry(TomlTable& object, const std::filesystem::path&) {
     mistakes.add(object.where("field"), "this field is infinite: the object needs the key 'bounds'");
     return {};
   }
-  Mesh mesh = extract_surface(*field, cells);
-  if (mesh.polygons.empty()) {
-    mistakes.add(object.where("field"), "the field has no surface that " + std::to_string(cells) + " cells would show");
+  if (!is_measurable(field->bounds())) {
+    mistakes.add(object.where("field"), "this field is larger than 1e12, or smaller than 1e-9");
     return {};
   }
+  Mesh mesh = object.has("error") ? polygons_within(object, *field, error) : polygons(object, *field, cells);
+  if (mistakes.list.size() != before) return {};
   return {std::move(mesh), {}, std::move(field)};
 }
 

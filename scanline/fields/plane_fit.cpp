@@ -72,7 +72,7 @@ bool slide_inside(const Bounds& box, const glm::dvec3& direction, glm::dvec3& p)
 
 }  // namespace
 
-glm::dvec3 fit_planes(std::span<const Crossing> crossings, const Bounds& cell) {
+PlaneFit fit_planes(std::span<const Crossing> crossings, const Bounds& room) {
   glm::dvec3 mean{0};
   for (const Crossing& c : crossings) mean += c.point / static_cast<double>(crossings.size());
   glm::dmat3 normals(0);
@@ -86,18 +86,19 @@ glm::dvec3 fit_planes(std::span<const Crossing> crossings, const Bounds& cell) {
   while (rank < 3 && eigen.values[rank] > kParallel * eigen.values[0]) ++rank;
   glm::dvec3 p = mean;
   for (int k = 0; k < rank; ++k) p += eigen.vectors[k] * (glm::dot(eigen.vectors[k], offsets) / eigen.values[k]);
-  if (inside(cell, p) || (rank == 2 && slide_inside(cell, eigen.vectors[2], p))) return p;
-  // The planes meet elsewhere: the least sum within the cell, found coordinate by coordinate. What keeps it near the
+  if (inside(room, p) || (rank == 2 && slide_inside(room, eigen.vectors[2], p))) return {p, {}};
+  const glm::dvec3 meeting = p;
+  // The planes meet elsewhere: the least sum within the room, found coordinate by coordinate. What keeps it near the
   // mean makes the sum strictly convex.
   for (int k = 0; k < 3; ++k) normals[k][k] += kParallel * eigen.values[0];
-  p = glm::clamp(mean, cell.low, cell.high);
+  p = glm::clamp(mean, room.low, room.high);
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     for (int k = 0; k < 3; ++k) {
       const double slope = glm::dot(normals[k], p - mean) - offsets[k];
-      p[k] = std::clamp(p[k] - slope / normals[k][k], cell.low[k], cell.high[k]);
+      p[k] = std::clamp(p[k] - slope / normals[k][k], room.low[k], room.high[k]);
     }
   }
-  return p;
+  return {p, meeting};
 }
 
 }  // namespace scanline

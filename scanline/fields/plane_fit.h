@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 
 #include "scanline/field.h"
@@ -14,9 +15,14 @@ struct Crossing {
   glm::dvec3 point{0}, normal{0};
 };
 
-/// The point inside `cell` with the least sum of squared distances from the planes; where they leave directions open,
+struct PlaneFit {
+  glm::dvec3 point{0};
+  std::optional<glm::dvec3> meeting;
+};
+
+/// The point inside `room` with the least sum of squared distances from the planes; where they leave directions open,
 /// next to the crossings' mean. On flat parts that is the mean itself, on the edge of a solid it lies on the edge, in a
-/// corner it is the corner.
-glm::dvec3 fit_planes(std::span<const Crossing> crossings, const Bounds& cell);
+/// corner it is the corner. `meeting`: where the planes meet, when that is outside the room.
+PlaneFit fit_planes(std::span<const Crossing> crossings, const Bounds& room);
 
 }  // namespace scanline
