@@ -49,12 +49,12 @@ Kind kind(const unsigned char* c) {
   return Kind::Other;
 }
 
-class Installed : public testing::Test {
+class InterfaceInstalled : public testing::Test {
  protected:
-  Installed() : folder_(fs::temp_directory_path() / ("watkins_install_" + std::to_string(getpid()))) {
+  InterfaceInstalled() : folder_(fs::temp_directory_path() / ("watkins_install_" + std::to_string(getpid()))) {
     fs::create_directories(folder_);
   }
-  ~Installed() override {
+  ~InterfaceInstalled() override {
     std::error_code ignored;
     fs::remove_all(folder_, ignored);
   }
@@ -73,7 +73,7 @@ class Installed : public testing::Test {
   fs::path folder_;
 };
 
-TEST_F(Installed, interface_install_example) {
+TEST_F(InterfaceInstalled, IsFoundByAnotherProject) {
   const fs::path prefix = folder_ / "prefix";
   ASSERT_TRUE(run(std::string(VSG_CMAKE) + " --install '" VSG_BUILD_DIR "' --prefix " + quoted(prefix))) << log();
   fs::copy(fs::path(VSG_SOURCE_DIR) / "examples" / "walls", folder_ / "walls");
@@ -127,7 +127,7 @@ TEST_F(Installed, interface_install_example) {
 }
 
 /// Nothing but the public interface's symbols can be seen from outside.
-TEST_F(Installed, interface_install_symbols) {
+TEST_F(InterfaceInstalled, ShowsItsHeadersSymbolsAlone) {
   ASSERT_TRUE(run("nm -DC --defined-only '" VSG_BUILD_DIR "/libwatkins.so'")) << log();
   std::istringstream lines(log());
   int seen = 0;

@@ -130,9 +130,9 @@ const std::vector<Mistake>& mistakes() {
 }
 
 /// A context with the shaders of this folder: instance 1 shows its parameters.
-class Mistakes : public testing::Test {
+class InterfaceMistakes : public testing::Test {
  protected:
-  Mistakes() : file_("show.pfman", kShowShader) { set_up(context_); }
+  InterfaceMistakes() : file_("show.pfman", kShowShader) { set_up(context_); }
   void set_up(Context& context) {
     prepare(context);
     context.load_extension_code(file_.path());
@@ -161,7 +161,7 @@ std::string said(const std::function<void()>& call) {
   return {};
 }
 
-TEST_F(Mistakes, interface_mistakes_change_nothing) {
+TEST_F(InterfaceMistakes, ChangeNothing) {
   Context untouched;
   set_up(untouched);
   const std::vector<float> expected = draw(untouched).colors;
@@ -173,7 +173,7 @@ TEST_F(Mistakes, interface_mistakes_change_nothing) {
   }
 }
 
-TEST_F(Mistakes, interface_mistakes_within_begin_and_end) {
+TEST_F(InterfaceMistakes, WithinBeginAndEnd) {
   const std::vector<std::function<void()>> calls = {
       [&] { context_.begin(); },
       [&] { context_.shader(ShaderId{1}); },
@@ -200,7 +200,7 @@ TEST_F(Mistakes, interface_mistakes_within_begin_and_end) {
   EXPECT_EQ(context_.render().width, kWidth);
 }
 
-TEST_F(Mistakes, interface_mistakes_bound_parameters_change_between_frames) {
+TEST_F(InterfaceMistakes, BoundParametersChangeBetweenFrames) {
   const auto change = [&] { context_.bound_material(ShaderId{1}, "shown", {0.25, 0, 0}); };
   const auto light = [&] { context_.light(LightId{0}, "diffuse", {1, 0, 0}); };
   rectangle(context_, -1, -1, 0, 1);
@@ -214,7 +214,7 @@ TEST_F(Mistakes, interface_mistakes_bound_parameters_change_between_frames) {
   EXPECT_EQ(said(light), "");
 }
 
-TEST_F(Mistakes, interface_mistakes_instances_are_finished_first) {
+TEST_F(InterfaceMistakes, InstancesAreFinishedFirst) {
   const ShaderId open = context_.new_shader("show");
   EXPECT_NE(said([&] { context_.new_shader("show"); }), "");
   EXPECT_NE(said([&] { context_.shader(open); }), "");
@@ -225,7 +225,7 @@ TEST_F(Mistakes, interface_mistakes_instances_are_finished_first) {
   EXPECT_EQ(said([&] { context_.shader(open); }), "");
 }
 
-TEST_F(Mistakes, interface_mistakes_of_shaders_come_with_their_place) {
+TEST_F(InterfaceMistakes, OfShadersComeWithTheirPlace) {
   const TemporaryFile bad("bad.pfman", "surface bad(output varying fixed<8,8> px_shader_color[3])\n{\n  foo = 1;\n}\n");
   const std::string text = said([&] { context_.load_extension_code(bad.path()); });
   EXPECT_NE(text.find("bad.pfman:3:3: error: "), std::string::npos) << text;
@@ -235,7 +235,7 @@ TEST_F(Mistakes, interface_mistakes_of_shaders_come_with_their_place) {
   EXPECT_EQ(context_.functions().size(), 6u);
 }
 
-TEST_F(Mistakes, interface_mistakes_three_colours_need_three) {
+TEST_F(InterfaceMistakes, ThreeColoursNeedThree) {
   context_.load_extension_code("directional_light.pfman");
   const LightId plain = context_.new_light("directional_light");
   context_.enable(plain);
@@ -247,7 +247,7 @@ TEST_F(Mistakes, interface_mistakes_three_colours_need_three) {
   EXPECT_EQ(context_.render().counts.polygons, 1);
 }
 
-TEST_F(Mistakes, interface_mistakes_places_out_of_reach) {
+TEST_F(InterfaceMistakes, PlacesOutOfReach) {
   context_.begin();
   context_.vertex(1e200, 0);
   context_.vertex(1e200, 1e200);
@@ -258,7 +258,7 @@ TEST_F(Mistakes, interface_mistakes_places_out_of_reach) {
 }
 
 /// Calls in no order, with numbers of all kinds: nothing but Errors, and pictures of the right size.
-TEST_F(Mistakes, interface_mistakes_random_calls) {
+TEST_F(InterfaceMistakes, RandomCalls) {
   const std::uint64_t seed = pixelflow_tests::seed_or(40);
   SCOPED_TRACE(pixelflow_tests::replay(seed));
   std::mt19937_64 random(seed);

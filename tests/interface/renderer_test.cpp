@@ -134,9 +134,9 @@ struct Case {
   int samples, rendering_nodes, threads;
 };
 
-class ContextAndRenderer : public testing::TestWithParam<Case> {};
+class InterfaceAndRenderer : public testing::TestWithParam<Case> {};
 
-TEST_P(ContextAndRenderer, interface_context_equals_renderer) {
+TEST_P(InterfaceAndRenderer, EqualsRenderer) {
   const Case& wanted = GetParam();
   const scanline::Scene scene = written_scene();
   watkins::RenderOptions options;
@@ -167,7 +167,7 @@ TEST_P(ContextAndRenderer, interface_context_equals_renderer) {
   EXPECT_GT(picture.counts.covered_samples, picture.counts.samples / 4);
 }
 
-INSTANTIATE_TEST_SUITE_P(interface, ContextAndRenderer,
+INSTANTIATE_TEST_SUITE_P(Levels, InterfaceAndRenderer,
                          testing::Values(Case{watkins::Level::Macro, "macro", 1, 1, 1},
                                          Case{watkins::Level::Macro, "macro", 2, 1, 2},
                                          Case{watkins::Level::Macro, "macro", 1, 2, 1},
@@ -177,7 +177,7 @@ INSTANTIATE_TEST_SUITE_P(interface, ContextAndRenderer,
                                   "_nodes_" + std::to_string(test.param.rendering_nodes);
                          });
 
-TEST(ContextAndRenderer, interface_context_several_at_a_time) {
+TEST(InterfaceContexts, DontKnowEachOther) {
   std::vector<float> pictures[3];
   const auto work = [&](int n) {
     watkins::Context context;
@@ -195,7 +195,7 @@ TEST(ContextAndRenderer, interface_context_several_at_a_time) {
 }
 
 /// The comparison above sees a single number that is another.
-TEST(ContextAndRenderer, interface_context_difference_is_seen) {
+TEST(InterfaceContexts, DifferWhereTheirScenesDo) {
   const scanline::Scene scene = written_scene();
   scanline::Scene other = written_scene();
   other.objects[1].mesh.attributes[4].values[2] = 0.25;

@@ -17,9 +17,9 @@ using watkins::Picture;
 constexpr Rgb kBlack{0, 0, 0};
 
 /// A context with the shaders of this folder.
-class State : public testing::Test {
+class InterfaceState : public testing::Test {
  protected:
-  State() : file_("show.pfman", kShowShader) {
+  InterfaceState() : file_("show.pfman", kShowShader) {
     prepare(context_);
     context_.load_extension_code(file_.path());
   }
@@ -32,7 +32,7 @@ class State : public testing::Test {
   Context context_;
 };
 
-TEST_F(State, interface_state_default_surface_is_opengl) {
+TEST_F(InterfaceState, DefaultSurfaceIsOpengl) {
   // The first light shines along the line of sight: 0.2 * 0.2 + 0.8 * 1 = 0.84.
   context_.enable(LightId{0});
   EXPECT_NEAR(middle(whole())[0], 0.84 * 256, 1.5);
@@ -46,7 +46,7 @@ TEST_F(State, interface_state_default_surface_is_opengl) {
   EXPECT_EQ(at(whole(), 1.8, 1.3), kBlack);
 }
 
-TEST_F(State, interface_state_only_the_first_light_is_white) {
+TEST_F(InterfaceState, OnlyTheFirstLightIsWhite) {
   context_.bound_material(watkins::kOpenGlShader, "scene_ambient", {0, 0, 0});
   context_.enable(LightId{7});
   EXPECT_EQ(middle(whole()), kBlack);
@@ -56,7 +56,7 @@ TEST_F(State, interface_state_only_the_first_light_is_white) {
   EXPECT_NEAR(green[1], 0.8 * 256, 1.5);
 }
 
-TEST_F(State, interface_state_lights_beyond_eight) {
+TEST_F(InterfaceState, LightsBeyondEight) {
   context_.bound_material(watkins::kOpenGlShader, "scene_ambient", {0, 0, 0});
   context_.load_extension_code("directional_light.pfman");
   context_.load_extension_code("opengl_light.pfman");  // is there: nothing happens
@@ -74,7 +74,7 @@ TEST_F(State, interface_state_lights_beyond_eight) {
   EXPECT_NEAR(both[2], 0.8 * 256, 1.5);
 }
 
-TEST_F(State, interface_state_lights_go_through_the_matrix_when_they_are_set) {
+TEST_F(InterfaceState, LightsGoThroughTheMatrixWhenTheyAreSet) {
   context_.bound_material(watkins::kOpenGlShader, "scene_ambient", {0, 0, 0});
   context_.enable(LightId{0});
   context_.push_matrix();
@@ -86,7 +86,7 @@ TEST_F(State, interface_state_lights_go_through_the_matrix_when_they_are_set) {
   EXPECT_NEAR(middle(whole())[0], 0.8 * 0.5 * 256, 2.5);
 }
 
-TEST_F(State, interface_state_bound_values_go_through_the_matrix_when_they_are_set) {
+TEST_F(InterfaceState, BoundValuesGoThroughTheMatrixWhenTheyAreSet) {
   const watkins::ShaderId show = context_.new_shader("show");
   context_.scale(2, 1, 0.5);
   context_.bound_material(show, "shown", {0.125, 0.25, 0.5});
@@ -98,7 +98,7 @@ TEST_F(State, interface_state_bound_values_go_through_the_matrix_when_they_are_s
   EXPECT_EQ(middle(whole()), (Rgb{160, 192, 224}));
 }
 
-TEST_F(State, interface_state_ordinary_parameters_vary_over_a_polygon) {
+TEST_F(InterfaceState, OrdinaryParametersVaryOverAPolygon) {
   const watkins::ShaderId bound = context_.new_shader("show");
   context_.end_shader();
   const watkins::ShaderId ordinary = context_.new_shader("show");
@@ -128,7 +128,7 @@ TEST_F(State, interface_state_ordinary_parameters_vary_over_a_polygon) {
   }
 }
 
-TEST_F(State, interface_state_values_stay_and_polygons_go) {
+TEST_F(InterfaceState, ValuesStayAndPolygonsGo) {
   context_.bound_material(watkins::kOpenGlShader, "scene_ambient", {0, 0, 0});
   context_.enable(LightId{0});
   context_.color(0.25, 0.5, 0.75);
@@ -140,7 +140,7 @@ TEST_F(State, interface_state_values_stay_and_polygons_go) {
   EXPECT_EQ(middle(context_.render()), (Rgb{0, 0, 255}));
 }
 
-TEST_F(State, interface_state_frames_reuse_streams) {
+TEST_F(InterfaceState, FramesReuseStreams) {
   context_.enable(LightId{0});
   const Picture first = whole();
   EXPECT_GT(first.counts.streams_made, 0);
@@ -159,7 +159,7 @@ TEST_F(State, interface_state_frames_reuse_streams) {
   EXPECT_EQ(whole().width, kWidth / 2);
 }
 
-TEST_F(State, interface_state_matrices_move_vertices) {
+TEST_F(InterfaceState, MatricesMoveVertices) {
   const auto square = [&] { rectangle(context_, 0.75, -0.25, 1.25, 0.25); };
   context_.bound_material(watkins::kOpenGlShader, "scene_ambient", {4, 4, 4});
   square();
@@ -193,7 +193,7 @@ TEST_F(State, interface_state_matrices_move_vertices) {
   EXPECT_EQ(at(picture, 0, 1), kBlack);
 }
 
-TEST_F(State, interface_state_polygons_are_seen_from_the_front) {
+TEST_F(InterfaceState, PolygonsAreSeenFromTheFront) {
   context_.bound_material(watkins::kOpenGlShader, "scene_ambient", {4, 4, 4});
   context_.scale(-1, 1, 1);
   EXPECT_EQ(middle(whole()), kBlack);
@@ -201,7 +201,7 @@ TEST_F(State, interface_state_polygons_are_seen_from_the_front) {
   EXPECT_NE(middle(whole()), kBlack);
 }
 
-TEST_F(State, interface_state_normals_stand_on_scaled_surfaces) {
+TEST_F(InterfaceState, NormalsStandOnScaledSurfaces) {
   context_.enable(LightId{0});
   context_.light(LightId{0}, "position", {1, 2, 4, 0});
   context_.push_matrix();
@@ -219,7 +219,7 @@ TEST_F(State, interface_state_normals_stand_on_scaled_surfaces) {
   EXPECT_NE(scaled.colors, context_.render().colors);
 }
 
-TEST_F(State, interface_state_texture_matrix) {
+TEST_F(InterfaceState, TextureMatrix) {
   const watkins::ShaderId show = context_.new_shader("show_texture_coordinates");
   context_.end_shader();
   context_.shader(show);
@@ -235,7 +235,7 @@ TEST_F(State, interface_state_texture_matrix) {
   EXPECT_EQ(colour[2], 128);
 }
 
-TEST_F(State, interface_state_textures_by_number) {
+TEST_F(InterfaceState, TexturesByNumber) {
   std::string image = "P6\n8 8\n255\n";
   for (int k = 0; k < 64; ++k) image += std::string("\x20\x80\xF0", 3);
   const TemporaryFile one("one.ppm", image);
@@ -254,7 +254,7 @@ TEST_F(State, interface_state_textures_by_number) {
   EXPECT_EQ(middle(whole()), (Rgb{0x20, 0x80, 0xF0}));
 }
 
-TEST_F(State, interface_state_time_is_the_frame_over_the_rate) {
+TEST_F(InterfaceState, TimeIsTheFrameOverTheRate) {
   const watkins::ShaderId show = context_.new_shader("show_time");
   context_.end_shader();
   context_.shader(show);
@@ -265,7 +265,7 @@ TEST_F(State, interface_state_time_is_the_frame_over_the_rate) {
   EXPECT_EQ(middle(whole())[0], 160);
 }
 
-TEST_F(State, interface_state_bound_standard_parameters) {
+TEST_F(InterfaceState, BoundStandardParameters) {
   context_.enable(LightId{0});
   context_.bound_material(watkins::kOpenGlShader, "scene_ambient", {0, 0, 0});
   const watkins::ShaderId painted = context_.new_shader("opengl_surface");
@@ -280,7 +280,7 @@ TEST_F(State, interface_state_bound_standard_parameters) {
   EXPECT_EQ(colour[1], 0);
 }
 
-TEST_F(State, interface_state_instances_of_one_function) {
+TEST_F(InterfaceState, InstancesOfOneFunction) {
   const watkins::ShaderId left = context_.new_shader("show");
   context_.bound_material(left, "shown", {0.25, 0, 0});
   context_.end_shader();
@@ -298,7 +298,7 @@ TEST_F(State, interface_state_instances_of_one_function) {
   EXPECT_EQ(picture.counts.polygons, 4);
 }
 
-TEST_F(State, interface_state_introspection) {
+TEST_F(InterfaceState, Introspection) {
   Context fresh;
   ASSERT_EQ(fresh.functions().size(), 2u);
   EXPECT_EQ(fresh.functions()[0].name, "opengl_surface");
