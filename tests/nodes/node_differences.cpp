@@ -73,18 +73,40 @@ class LineJudge {
     if (shown == 0) return std::ranges::all_of(nodes, [](std::uint32_t p) { return p == 0; });
     if (found == nodes.end()) return false;
     const LineCut* own = is_field(shown) ? nullptr : cuts_.covering(shown, pixel);
-    // The picture's channel is a float; where the polygon tells, it is compared with that, and then left.
-    if (own && std::abs(own->depth(pixel) - depth) > own->depth(pixel) * std::ldexp(1, -23) + 1e-6) return false;
-    const double closest = own ? own->depth(pixel) : depth * (1 - std::ldexp(1, -23)) - 1e-6;
-    return std::ranges::all_of(nodes, [&](const std::uint32_t& p) {
+    // The picture's channel is a float; where the polygon tells its depth, that is compared with it.
+    const double rounding = depth * std::ldexp(1, -23) + 1e-6, bent = own ? bend(shown) : 0;
+    if (own && std::abs(own->depth(pixel) - depth) > rounding + bent) return false;
+    const double closest = own && bent < rounding ? own->depth(pixel) : depth - rounding;
+    return std::ranges::all_of(nodes, [&](std::uint32_t p) {
       const LineCut* cut = p == 0 || is_field(p) ? nullptr : cuts_.covering(p, pixel);
-      return !cut || p == shown || cut->depth(pixel) >= closest - kUnit;
+      return !cut || p == shown || cut->depth(pixel) >= closest - kUnit - bend(p);
     });
   }
 
  private:
   bool is_field(std::uint32_t p) const {
     return p != 0 && scene_.objects[frame_.polygons[p - 1].object].field != nullptr;
+  }
+  /// By how much depths within a polygon depend on how it is cut into triangles: 0 but for uneven ones.
+  double bend(std::uint32_t p) const {
+    const std::vector<std::uint32_t>& corners = frame_.frame.polygons[p - 1];
+    const auto at = [&](std::size_t k) { return frame_.frame.vertices[corners[k] - 1]; };
+    const auto area = [](const auto& a, const auto& b, const auto& c) {
+      return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    };
+    std::size_t third = 2;
+    for (std::size_t k = 3; k < corners.size(); ++k) {
+      if (std::abs(area(at(0), at(1), at(k))) > std::abs(area(at(0), at(1), at(third)))) third = k;
+    }
+    const auto a = at(0), b = at(1), c = at(third);
+    const double all = area(a, b, c);
+    double largest = 0;
+    for (std::size_t k = 2; k < corners.size() && all != 0; ++k) {
+      const auto d = at(k);
+      const double plane = (area(d, b, c) * a.z + area(a, d, c) * b.z + area(a, b, d) * c.z) / all;
+      largest = std::max(largest, std::abs(d.z - plane));
+    }
+    return 2 * largest;
   }
   bool starts(std::uint32_t p, int pixel) const {
     if (p == 0 || cuts_.covering(p, pixel)) return false;
