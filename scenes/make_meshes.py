@@ -75,6 +75,9 @@ def write_pin():
             faces.append("f " + " ".join([corner(row, k), corner(row, k + 1), corner(row + 1, k + 1), corner(row + 1, k)]))
     last = len(rows) - 1
     faces += [f"f {corner(last, k)} {corner(last, k + 1)} {head}/{len(texcoords)}/{head}" for k in range(AROUND)]
+    foot = len(normals) + 1
+    normals.append("vn 0 -1 0")
+    faces.append("f " + " ".join(f"{k + 1}/{k + 1}/{foot}" for k in reversed(range(AROUND))))
     (FOLDER / "pin.obj").write_text("\n".join(lines + texcoords + normals + faces) + "\n")
 
 
