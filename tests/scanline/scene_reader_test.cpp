@@ -155,7 +155,7 @@ TEST(SceneReader, MistakesNameFileLineAndColumn) {
       {"version = 1\n" + kObject + "shader = {name = \"flat\", parameters = {color = [1, \"x\"]}}\n",
        "a.toml:5:48: error: parameter 'color' must be a finite number, a text, true or false, or an array of numbers"},
       {"version = 1\n[[object]]\ngeometry = \"sdf\"\nfunction = \"ball\"\n",
-       "a.toml:3:12: error: 'geometry' of object must be one of mesh, shape, patches, not 'sdf'"},
+       "a.toml:3:12: error: 'geometry' of object must be one of mesh, shape, patches, terrain, field, not 'sdf'"},
       {"version = 1\n[[object]]\ngeometry = \"shape\"\nshape = \"cube\"\nedge = 3\n",
        "a.toml:4:9: error: 'shape' of object must be one of box, boxes, plane, sphere, cylinder, cone, tube, torus, "
        "prism, not 'cube'"},
