@@ -7,6 +7,7 @@
 
 #include "pixelflow/compiler/host.h"
 #include "pixelflow/compiler/memory_layout.h"
+#include "pixelflow/shading/eye_space.h"
 #include "scanline/camera.h"
 
 namespace watkins {
@@ -48,12 +49,6 @@ int find_attribute(const scanline::SceneFrame& frame, const std::string& name) {
   return -1;
 }
 
-bool has_attribute(const scanline::Object& object, const std::string& name) {
-  const auto same = [&](const auto& a) { return a.name == name; };
-  if (object.source) return std::ranges::any_of(object.source->attributes(), same);
-  return std::ranges::any_of(object.mesh.attributes, same);
-}
-
 /// The mean of a frame's attribute at a point; components that it does not have stay as they are.
 void interpolate(const scanline::FrameAttribute& attribute, const PolygonSurface::Point& point, std::size_t count,
                  double* result) {
@@ -91,7 +86,7 @@ RegionBuilder::RegionBuilder(const scanline::Scene& scene, const SceneShading& s
     for (std::size_t n = 0; n < scene.objects.size(); ++n) {
       std::vector<int>& attributes = node.attributes.emplace_back();
       for (const ParameterSource& source : shading.object(n).sources) {
-        const bool has = source.kind == Kind::TexCoord && has_attribute(scene.objects[n], "uv");
+        const bool has = source.kind == Kind::TexCoord && has_attribute(scene.objects[n], "uv", 1);
         attributes.push_back(has                              ? find_attribute(frame, "uv")
                              : source.kind == Kind::Attribute ? find_attribute(frame, source.name)
                                                               : -1);
@@ -142,7 +137,12 @@ SurfacePoint RegionBuilder::on_polygon(const Node& node, const PolygonSurface& s
       point.position = hit->position;
       point.normal = hit->normal;
     } else {
-      point.normal = fields_.normal(point.object, point.position, cost);
+      // The line of sight passes the field's outline: a normal turned away from the eye is bent back to where it is
+      // seen edge-on.
+      const glm::dvec3 normal = fields_.normal(point.object, point.position, cost);
+      const double away = std::max(0.0, glm::dot(normal, sight.direction));
+      const double length2 = glm::dot(sight.direction, sight.direction);
+      point.normal = unit(normal - away / length2 * sight.direction, normal);
     }
     point.polygon_normal = point.normal;
     return point;
@@ -211,14 +211,7 @@ void RegionBuilder::values(const Node* node, const SurfacePoint& point, const Pa
       source.transform == pfman::ast::Transform::Texture) {
     return;
   }
-  const glm::dmat4 to_eye = view_ * to_world_[point.object];
-  const glm::dvec3 v(result[0], result[1], result[2]);
-  if (source.transform == pfman::ast::Transform::Normal) {
-    set(glm::transpose(glm::inverse(glm::dmat3(to_eye))) * v);
-  } else {
-    const double w = source.transform == pfman::ast::Transform::Point ? (count > 3 ? result[3] : 1) : 0;
-    set(glm::dvec3(to_eye * glm::dvec4(v, w)));
-  }
+  pfman::to_eye_space(source.transform, view_ * to_world_[point.object], result);
 }
 
 RegionBuilder::Visible RegionBuilder::find(std::size_t number, int first_column, int first_row) const {

@@ -100,6 +100,7 @@ struct Renderer::Work {
     int largest_map = 0;
     double surfaces = 0, shaded = 0;  ///< seconds
   };
+  std::unique_ptr<pfman::FrameShading> frame_shading(double moment, const pfman::EyeSpace& eye);
   Region work_region(const RegionBuilder& builder, const VisibleFrame& visible, pfman::FrameShading& frame, int column,
                      int row, std::vector<Rgb8>& samples, scanline::PictureChannels* channels);
   void note_channels(const SurfacePoint& point, std::uint32_t polygon, int column, int row,
@@ -224,6 +225,15 @@ void Renderer::Work::note_channels(const SurfacePoint& point, std::uint32_t poly
   c.normal_z[pixel] = static_cast<float>(point.normal.z);
 }
 
+std::unique_ptr<pfman::FrameShading> Renderer::Work::frame_shading(double moment, const pfman::EyeSpace& eye) {
+  try {
+    return std::make_unique<pfman::FrameShading>(shading->surfaces(moment), shading->lights(moment),
+                                                 &shading->textures(), eye, cache);
+  } catch (const std::invalid_argument& mistake) {  // surfaces and lights that do not fit each other
+    throw scanline::UserError({scene_file, 0, 0, mistake.what()});
+  }
+}
+
 Renderer::Work::Region Renderer::Work::work_region(const RegionBuilder& builder, const VisibleFrame& visible,
                                                    pfman::FrameShading& frame, int column, int row,
                                                    std::vector<Rgb8>& samples, scanline::PictureChannels* channels) {
@@ -305,19 +315,16 @@ RenderedFrame Renderer::shade(VisibleFrame visible) {
   std::vector<Work::Region> regions(static_cast<std::size_t>(counts.regions));
   std::vector<Rgb8> samples(static_cast<std::size_t>(counts.samples), scanline::to_rgb8(work.scene.background));
   if (options.channels) result.picture.channels = work.empty_channels();
+  const std::unique_ptr<pfman::FrameShading> frame = work.frame_shading(visible.moment, builder.eye_space());
   try {
-    pfman::FrameShading frame(work.shading->surfaces(visible.moment), work.shading->lights(visible.moment),
-                              &work.shading->textures(), builder.eye_space(), work.cache);
     for_each_index(counts.regions, options.threads, [&](int n) {
       regions[static_cast<std::size_t>(n)] =
-          work.work_region(builder, visible, frame, n % work.across * kRegionWidth, n / work.across * kRegionHeight,
+          work.work_region(builder, visible, *frame, n % work.across * kRegionWidth, n / work.across * kRegionHeight,
                            samples, result.picture.channels ? &*result.picture.channels : nullptr);
       if (on_step) on_step();
     });
   } catch (const pfman::UniformError& error) {
     throw work.shading->mistake(error);
-  } catch (const std::invalid_argument& mistake) {  // surfaces and lights that do not fit each other
-    throw scanline::UserError({work.scene_file, 0, 0, mistake.what()});
   }
   result.picture.set_rows(samples, options.samples, 0, work.scene.height);
 
