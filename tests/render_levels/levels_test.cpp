@@ -36,7 +36,9 @@ class EveryScene : public LevelsTest, public testing::WithParamInterface<std::st
 INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene, testing::ValuesIn(scenes()), test_name);
 
 TEST_P(EveryScene, IsTheSameAtAllLevels) {
-  const Pictures reference = render(scene(), "", kReference);
+  Pictures reference = render(scene(), "", kReference, true);
+  expect_same(render(scene(), "", lowest_machine(), true), reference, "as PNG");
+  reference.pictures.resize(1);
   for (const Machine& machine : all_machines()) expect_same(render(scene(), "", machine), reference, text(machine));
 }
 
@@ -49,7 +51,7 @@ TEST_P(EveryScene, IsTheSameAtAllLevelsOnThreeNodes) {
 
 TEST_P(EveryScene, IsTheSameOnAnyNumberOfShadingNodes) {
   const Pictures reference = render(scene(), "", kReference);
-  for (const char* nodes : {"1", "3", "64"}) {
+  for (const char* nodes : {"1", "3"}) {
     Pictures other = render({file(), "--size", "128x96", "--shading-nodes", nodes}, "", kReference);
     EXPECT_EQ(other.pictures, reference.pictures) << nodes;
     // Nothing but the time on the real machines depends on them.
@@ -65,7 +67,7 @@ TEST_P(EveryScene, MovesInTheSameWayAtAllLevels) {
   const int last = std::min(what.first_frame + 2, what.last_frame);
   const std::string frames = std::to_string(what.first_frame) + "-" + std::to_string(last);
   const Pictures reference = render(scene(), frames, kReference);
-  ASSERT_EQ(reference.pictures.size(), 2u * static_cast<unsigned>(last - what.first_frame + 1));
+  ASSERT_EQ(reference.pictures.size(), static_cast<unsigned>(last - what.first_frame + 1));
   EXPECT_NE(reference.pictures[0], reference.pictures[1]) << "something moves";
   expect_same(render(scene(), frames, lowest_machine()), reference, text(lowest_machine()));
   const Machine alone = {"--vsg", "model", "--pe", "model", "--threads", "1"};
@@ -76,8 +78,8 @@ class RenderLevels : public LevelsTest {};
 
 TEST_F(RenderLevels, AreTheSameOnASmallPictureOfSeveralSamples) {
   const std::vector<std::string> small = {project_file("scenes/shapes.toml"), "--size", "40x30", "--samples", "2"};
-  const Pictures reference = render(small, "", kReference);
-  for (const Machine& machine : all_machines()) expect_same(render(small, "", machine), reference, text(machine));
+  const Pictures reference = render(small, "", kReference, true);
+  for (const Machine& machine : all_machines()) expect_same(render(small, "", machine, true), reference, text(machine));
 }
 
 TEST_F(RenderLevels, DifferingCyclesAreSeen) {

@@ -29,15 +29,18 @@ nlohmann::json comparable(nlohmann::json statistics);
 std::string differences(const nlohmann::json& is, const nlohmann::json& should);
 
 struct Pictures {
-  std::vector<std::string> pictures;  ///< bytes of the files, frame by frame: PNG, then EXR with its channels
-  nlohmann::json statistics;          ///< what of them can be compared
+  /// Bytes of the files, frame by frame: EXR with its channels, then PNG where asked for.
+  std::vector<std::string> pictures;
+  nlohmann::json statistics;  ///< what of them can be compared
 };
 
 /// Runs the program in the folder of its test.
 class LevelsTest : public vsg_tests::ProgramTest {
  protected:
-  /// `arguments`: scene and size; `frames`: A-B, or empty for one picture.
-  Pictures render(const std::vector<std::string>& arguments, const std::string& frames, const Machine& machine) const;
+  /// `arguments`: scene and size; `frames`: A-B, or empty for one picture; `png`: once more as PNG, which holds nothing
+  /// that EXR does not.
+  Pictures render(const std::vector<std::string>& arguments, const std::string& frames, const Machine& machine,
+                  bool png = false) const;
   /// Expects that both are the same, and says where they differ.
   static void expect_same(const Pictures& is, const Pictures& should, const std::string& what);
 };
