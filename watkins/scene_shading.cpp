@@ -24,13 +24,6 @@ constexpr int kFirstImage = 16;
 /// Parameter of surfaces: the sum of the scene's ambient lights, unless the scene gives it another value.
 const std::string kSceneAmbient = "scene_ambient";
 
-/// OpenGL's, where neither the scene nor the mesh says otherwise.
-const std::map<std::string, double> kMaterial = {{"px_material_ambient", 0.2},
-                                                 {"px_material_diffuse", 0.8},
-                                                 {"px_material_specular", 0.0},
-                                                 {"px_material_emission", 0.0},
-                                                 {"px_material_shininess", 0.0}};
-
 const pfman::Variable* parameter(const pfman::CompiledShader& shader, const std::string& name) {
   for (const pfman::ShaderParameter& p : shader.shader->parameters) {
     if (p.variable->name == name && !p.variable->output) return p.variable;
@@ -38,19 +31,15 @@ const pfman::Variable* parameter(const pfman::CompiledShader& shader, const std:
   return nullptr;
 }
 
-bool has_transform(const pfman::CompiledShader& shader) {
-  return std::any_of(shader.shader->parameters.begin(), shader.shader->parameters.end(), [](const auto& p) {
-    return p.variable->transform != pfman::ast::Transform::None && p.initial != nullptr;
+/// Whether values that the shading node holds depend on where the object stands.
+bool has_transform(const pfman::Instance& instance) {
+  const auto& parameters = instance.shader().shader->parameters;
+  return std::any_of(parameters.begin(), parameters.end(), [&](const pfman::ShaderParameter& p) {
+    using pfman::ast::Transform;
+    const pfman::Variable& v = *p.variable;
+    const bool is_moved = v.transform != Transform::None && v.transform != Transform::Texture;
+    return is_moved && (!v.type.varying || instance.bound().contains(v.name));
   });
-}
-
-bool has_attribute(const Object& object, const std::string& name, int components) {
-  const auto fits = [&](const auto& a) { return a.name == name && a.components >= components; };
-  if (object.source) {
-    const auto attributes = object.source->attributes();
-    return std::any_of(attributes.begin(), attributes.end(), fits);
-  }
-  return std::any_of(object.mesh.attributes.begin(), object.mesh.attributes.end(), fits);
 }
 
 bool same_keys(const Object& a, const Object& b) {
@@ -70,8 +59,13 @@ bool same_ambient(const Object& a, const Object& b) {
 
 ShadingFiles::ShadingFiles() : textures(pfman::test_textures()) {}
 
-bool ObjectSurface::needs(Kind kind) const {
-  return std::any_of(sources.begin(), sources.end(), [&](const ParameterSource& s) { return s.kind == kind; });
+bool has_attribute(const Object& object, const std::string& name, int components) {
+  const auto fits = [&](const auto& a) { return a.name == name && a.components >= components; };
+  if (object.source) {
+    const auto attributes = object.source->attributes();
+    return std::any_of(attributes.begin(), attributes.end(), fits);
+  }
+  return std::any_of(object.mesh.attributes.begin(), object.mesh.attributes.end(), fits);
 }
 
 SceneShading::SceneShading(const scanline::Scene& scene, const std::string& scene_file, ShadingFiles& files)
@@ -105,7 +99,8 @@ const pfman::CompiledShader* SceneShading::find(const ShaderCall& call, pfman::S
   auto& units = files_.units;
   auto known = std::find_if(units.begin(), units.end(), [&](const auto& file) { return file->path == path; });
   if (known == units.end()) {
-    if (!std::filesystem::is_regular_file(path)) {
+    std::error_code ignored;  // a name may be longer than files have
+    if (!std::filesystem::is_regular_file(path, ignored)) {
       wrong(call.line, own ? "there is no shader '" + call.name + "'; one of your own needs a 'file'"
                            : "cannot read '" + path.string() + "'");
       return nullptr;
@@ -201,8 +196,8 @@ bool SceneShading::add_source(const Object& object, const pfman::TransferEntry& 
     source.name = "color";
   } else if (instance.bound().contains(name)) {
     return true;  // its default
-  } else if (const auto material = kMaterial.find(name); material != kMaterial.end()) {
-    instance.set(name, std::vector<double>(static_cast<std::size_t>(count), material->second));
+  } else if (const auto material = pfman::opengl_material(name)) {
+    instance.set(name, std::vector<double>(static_cast<std::size_t>(count), *material));
     return true;
   } else {
     wrong(object.shader.line ? object.shader.line : object.line,
@@ -238,7 +233,7 @@ void SceneShading::add_object(std::size_t index) {
     if (&made.instance.shader() != shader || made.instance.uniforms() != instance.uniforms() ||
         made.instance.bound() != instance.bound() || objects_[made.object].sources != surface.sources ||
         !same_ambient(scene_.objects[made.object], object) ||
-        (has_transform(*shader) && !same_keys(scene_.objects[made.object], object))) {
+        (has_transform(instance) && !same_keys(scene_.objects[made.object], object))) {
       continue;
     }
     surface.shader_id = made.instance.id();

@@ -2,6 +2,7 @@
 // from (Olano and Lastra 1998, sections 4.3, 4.4 and 6.2).
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <string>
@@ -34,13 +35,15 @@ struct ParameterSource {
   friend bool operator==(const ParameterSource&, const ParameterSource&) = default;
 };
 
+/// Whether the corners of an object's polygons carry so many numbers, or more, under this name.
+bool has_attribute(const scanline::Object& object, const std::string& name, int components);
+
 /// What the pixels of an object send.
 struct ObjectSurface {
   int shader_id = 0;
   int packets = 1;  ///< that the parameters fill, the last that travels included
   int map_bytes = 0;
   std::vector<ParameterSource> sources;
-  bool needs(ParameterSource::Kind kind) const;
 };
 
 /// What stays when a scene's instances are made anew: compiled files, and images that have been read.

@@ -5,27 +5,6 @@
 namespace pfman {
 namespace {
 
-/// Inverse and transposed; of a singular matrix what it comes to but for a factor.
-glm::dmat3 for_normals(const glm::dmat3& m) {
-  const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
-  const double determinant = glm::dot(m[0], cofactors[0]);
-  return determinant != 0 ? cofactors / determinant : cofactors;
-}
-
-/// Of three or four numbers.
-void transform(ast::Transform attribute, const glm::dmat4& to_eye, std::vector<double>& values) {
-  const glm::dvec3 first(values[0], values[1], values[2]);
-  glm::dvec3 result;
-  if (attribute == ast::Transform::Normal) {
-    result = for_normals(glm::dmat3(to_eye)) * first;
-  } else if (attribute == ast::Transform::Vector) {
-    result = glm::dmat3(to_eye) * first;
-  } else {
-    result = glm::dvec3(to_eye * glm::dvec4(first, values.size() > 3 ? values[3] : 1));
-  }
-  for (int n = 0; n < 3; ++n) values[static_cast<std::size_t>(n)] = result[n];
-}
-
 void normalise(std::vector<double>& values) {
   double length = 0;
   for (const double value : values) length = std::hypot(length, value);
@@ -34,6 +13,25 @@ void normalise(std::vector<double>& values) {
 }
 
 }  // namespace
+
+glm::dmat3 normal_matrix(const glm::dmat3& m) {
+  const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+  const double determinant = glm::dot(m[0], cofactors[0]);
+  return determinant != 0 ? cofactors / determinant : cofactors;
+}
+
+void to_eye_space(ast::Transform attribute, const glm::dmat4& to_eye, std::vector<double>& values) {
+  const glm::dvec3 first(values[0], values[1], values[2]);
+  glm::dvec3 result;
+  if (attribute == ast::Transform::Normal) {
+    result = normal_matrix(glm::dmat3(to_eye)) * first;
+  } else if (attribute == ast::Transform::Vector) {
+    result = glm::dmat3(to_eye) * first;
+  } else {
+    result = glm::dvec3(to_eye * glm::dvec4(first, values.size() > 3 ? values[3] : 1));
+  }
+  for (int n = 0; n < 3; ++n) values[static_cast<std::size_t>(n)] = result[n];
+}
 
 void place(Instance& instance, const glm::dmat4& to_eye) {
   for (const ShaderParameter& parameter : instance.shader().shader->parameters) {
@@ -47,7 +45,7 @@ void place(Instance& instance, const glm::dmat4& to_eye) {
     for (std::size_t n = 0; n < values.size() && given != values_of.end(); ++n) {
       values[n] = to_double(given->second.at(n), variable.type.scalar);
     }
-    transform(attribute, to_eye, values);
+    to_eye_space(attribute, to_eye, values);
     if (variable.unit) normalise(values);
     instance.set(variable.name, values);
   }

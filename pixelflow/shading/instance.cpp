@@ -34,6 +34,14 @@ TransferMap transfer_map(const CompiledShader& shader) {
   return map;
 }
 
+std::optional<double> opengl_material(const std::string& parameter) {
+  if (parameter == "px_material_ambient") return 0.2;
+  if (parameter == "px_material_diffuse") return 0.8;
+  const bool is_black = parameter == "px_material_specular" || parameter == "px_material_emission" ||
+                        parameter == "px_material_shininess";
+  return is_black ? std::optional<double>(0) : std::nullopt;
+}
+
 Instance::Instance(const CompiledShader& shader, int id) : shader_(&shader), id_(id) {
   for (const ShaderParameter& parameter : shader.shader->parameters) {
     const Variable& variable = *parameter.variable;

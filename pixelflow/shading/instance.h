@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,10 @@ struct TransferMap {
   int packets = 0;  ///< of the composition network, each with its depth
 };
 TransferMap transfer_map(const CompiledShader& shader);
+
+/// Each number of a standard material parameter in OpenGL's first state, where nothing says otherwise; none for other
+/// parameters.
+std::optional<double> opengl_material(const std::string& parameter);
 
 /// A surface or a light with the values of its parameters.
 class Instance {

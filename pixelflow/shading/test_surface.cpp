@@ -16,17 +16,6 @@ constexpr double kHalfHeight = 0.36;
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
-struct Material {
-  const char* parameter;
-  double value;
-};
-/// OpenGL's, where the application does not say otherwise.
-constexpr Material kMaterial[] = {{"px_material_ambient", 0.2},
-                                  {"px_material_diffuse", 0.8},
-                                  {"px_material_specular", 0.0},
-                                  {"px_material_emission", 0.0},
-                                  {"px_material_shininess", 0.0}};
-
 /// Numbers of a varying parameter at a point; none for a parameter that no rendering node would know.
 std::vector<double> value_at(const TestSurface::Point& point, const std::string& name, int count) {
   // A test shape is as smooth as if each pixel had a polygon of its own.
@@ -46,10 +35,8 @@ std::vector<double> value_at(const TestSurface::Point& point, const std::string&
     const double up = std::max(n[2], 1e-3);
     return {-n[0] / up, -n[1] / up};
   }
-  for (const Material& material : kMaterial) {
-    if (name == material.parameter) return std::vector<double>(static_cast<std::size_t>(count), material.value);
-  }
-  return {};
+  const std::optional<double> material = opengl_material(name);
+  return material ? std::vector<double>(static_cast<std::size_t>(count), *material) : std::vector<double>();
 }
 
 /// A region's memory, byte by byte of all elements.

@@ -1,6 +1,6 @@
 #include "watkins/interface/instances.h"
 
-#include <algorithm>
+#include "pixelflow/shading/instance.h"
 
 namespace watkins {
 namespace {
@@ -80,12 +80,10 @@ scanline::Light LightInstance::light() const {
 }
 
 Values initial_value(const Parameter& parameter) {
-  Values result(static_cast<std::size_t>(parameter.count), 0.0);
+  Values result(static_cast<std::size_t>(parameter.count), pfman::opengl_material(parameter.name).value_or(0));
   const std::string& name = parameter.name;
   if (name == "px_material_normal" && result.size() >= 3) result[2] = 1;
   if (name == "px_shader_texcoord" && result.size() == 4) result[3] = 1;
-  if (name == "px_material_ambient") std::fill(result.begin(), result.end(), 0.2);
-  if (name == "px_material_diffuse") std::fill(result.begin(), result.end(), 0.8);
   return result;
 }
 

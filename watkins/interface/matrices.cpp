@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "pixelflow/shading/eye_space.h"
+
 namespace watkins {
 namespace {
 
@@ -18,13 +20,6 @@ bool is_finite(const glm::dmat4& matrix) {
     }
   }
   return true;
-}
-
-/// For normals: the inverse's transpose; of a matrix that has none the cofactors, which have its direction.
-glm::dmat3 normal_matrix(const glm::dmat3& m) {
-  const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
-  const double determinant = glm::dot(m[0], cofactors[0]);
-  return determinant == 0 ? cofactors : cofactors * (1 / determinant);
 }
 
 }  // namespace
@@ -60,7 +55,7 @@ Values Matrices::transform(const Values& values, Transform attribute) const {
   if (attribute == Transform::Texture) {
     v = stacks_[1].back() * v;
   } else if (attribute == Transform::Normal) {
-    v = glm::dvec4(normal_matrix(glm::dmat3(model())) * glm::dvec3(v), 0);
+    v = glm::dvec4(pfman::normal_matrix(glm::dmat3(model())) * glm::dvec3(v), 0);
   } else {
     v = model() * v;
   }
