@@ -25,7 +25,8 @@ class PolygonSurface {
   };
 
   /// What the frame shows at (x, y), its own coordinates. The processor may show a polygon at samples that lie a little
-  /// outside of it: they get the nearest point of the polygon's triangles.
+  /// outside of it: they get a point on the border of the nearest
+  /// of its triangles.
   Point at(double x, double y) const;
 
  private:

@@ -78,8 +78,6 @@ FloatImage read_level(const std::filesystem::path& path, OIIO::ImageInput& input
   return image;
 }
 
-bool is_half(int half, int whole) { return half == std::max(1, whole / 2) || half == whole / 2 + whole % 2; }
-
 /// How many levels the file has, if each is half of the one before; otherwise 1.
 int levels_in(OIIO::ImageInput& input) {
   OIIO::ImageSpec before = input.spec_dimensions(0, 0);
@@ -87,7 +85,7 @@ int levels_in(OIIO::ImageInput& input) {
   for (; before.width > 1 || before.height > 1; ++count) {
     const OIIO::ImageSpec next = input.spec_dimensions(0, count);
     if (next.format == OIIO::TypeDesc::UNKNOWN) break;
-    if (!is_half(next.width, before.width) || !is_half(next.height, before.height)) return 1;
+    if (!pfman::is_half(next.width, before.width) || !pfman::is_half(next.height, before.height)) return 1;
     before = next;
   }
   return count;

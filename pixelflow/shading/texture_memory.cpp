@@ -141,9 +141,6 @@ void check(const std::vector<Image>& levels) {
       throw std::invalid_argument("an image has 4 bytes for each of its texels");
     }
   }
-  const auto is_half = [](int half, int whole) {
-    return half == std::max(1, whole / 2) || half == whole / 2 + whole % 2;
-  };
   for (std::size_t n = 1; n < levels.size(); ++n) {
     if (!is_half(levels[n].width, levels[n - 1].width) || !is_half(levels[n].height, levels[n - 1].height)) {
       throw std::invalid_argument("a MIP level has half the size of the one before");
@@ -152,6 +149,8 @@ void check(const std::vector<Image>& levels) {
 }
 
 }  // namespace
+
+bool is_half(int half, int whole) { return half == std::max(1, whole / 2) || half == whole / 2 + whole % 2; }
 
 void TextureMemory::set(std::int64_t number, Image image) {
   std::vector<Image> levels;

@@ -14,6 +14,9 @@ namespace pfman {
 /// Of every node (section 6.3).
 constexpr std::size_t kTextureMemoryBytes = std::size_t{64} << 20;
 
+/// Whether a MIP level's width or height is half of that of the level before, rounded up or down, at least 1.
+bool is_half(int half, int whole);
+
 /// Images that shaders look up, by number. Coordinates repeat; filters are bilinear within a level and linear between
 /// two (docs/pfman_library.md, Textures). Results do not depend on the order of the samples.
 class TextureMemory {
@@ -33,8 +36,8 @@ class TextureMemory {
   /// Takes the place of what had the number. Throws std::invalid_argument for an image without texels or with another
   /// number of bytes than it has texels for, and for one that the memory has no room for.
   void set(std::int64_t number, Image image);
-  /// The same with MIP levels, the finest first: each half as wide and high as the one before, rounded up or down, at
-  /// least 1. There may be fewer than lead to a single texel.
+  /// The same with MIP levels, the finest first, each half as wide and high as the one before. There may be fewer than
+  /// lead to a single texel.
   void set(std::int64_t number, std::vector<Image> levels);
   /// In use; kTextureMemoryBytes are the most.
   std::size_t bytes() const { return bytes_; }
