@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdint>
+#include <string_view>
 
 #include "program/refuse.h"
 
@@ -27,6 +28,8 @@ void save(const fs::path& path, OIIO::ImageSpec spec, OIIO::TypeDesc type, const
   spec.attribute("DateTime", "");  // otherwise some formats write the time of day, and no two files are the same
   const auto out = OIIO::ImageOutput::create(path.string());
   if (!out) fail(path, "cannot write: " + OIIO::geterror());
+  // An empty time of day would be all of the Exif data, which libtiff complains about.
+  if (std::string_view(out->format_name()) == "tiff") spec.attribute("tiff:write_exif", 0);
   if (!out->open(path.string(), spec) || !out->write_image(type, pixels) || !out->close()) {
     fail(path, "cannot write: " + out->geterror());
   }

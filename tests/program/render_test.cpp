@@ -176,6 +176,22 @@ TEST_F(Render, TheSameBytesOnAnyNumberOfThreadsAndAtAnyTime) {
   }
 }
 
+TEST_F(Render, NothingIsSaidOfATiffPicture) {
+  // Where GDAL has read a TIFF file, it prints what libtiff says.
+  write("scene.toml", "version = 1\nsize = [4, 4]\n[[object]]\ngeometry = \"terrain\"\nresolution = 100\nfile = \"" +
+                          project_file("scenes/terrain/jacksboro.tif") + "\"\n");
+  std::string bytes;
+  for (int i = 0; i < 2; ++i) {
+    render({"scene.toml", "-o", "a.tif"});
+    const Image image = read_image(path("a.tif"));
+    EXPECT_EQ(std::make_pair(image.width, image.height), std::make_pair(4, 4));
+    if (i == 1) {
+      EXPECT_EQ(read("a.tif"), bytes);
+    }
+    bytes = read("a.tif");
+  }
+}
+
 TEST_F(Render, ASequenceIsAPictureAFrame) {
   write("scene.toml", flat_scene(16, 16,
                                  kRectangle + std::string("keys = [{frame = 1, translate = [-0.5, 0, 0]}, "
@@ -201,8 +217,8 @@ TEST_F(Render, ASequenceIsAPictureAFrame) {
 
 TEST_F(Render, FrameCoherenceSamplesAtEdgesOfTheFrameBefore) {
   const std::string scene = project_file("scenes/sequence.toml");
-  const Outcome result = run({"render", scene, "-o", "s%04d.png", "--frames", "1-3", "--size", "64x64", "--frame-coherence",
-                              "--pe", "macro", "--stats", "s.json"});
+  const Outcome result = run({"render", scene, "-o", "s%04d.png", "--frames", "1-3", "--size", "64x64",
+                              "--frame-coherence", "--pe", "macro", "--stats", "s.json"});
   ASSERT_EQ(result.status, 0) << result.err;  // without --vsg: the golden model, which has it
   const json frames = json::parse(read("s.json")).at("frames");
   ASSERT_EQ(frames.size(), 3u);
@@ -210,7 +226,8 @@ TEST_F(Render, FrameCoherenceSamplesAtEdgesOfTheFrameBefore) {
   EXPECT_GT(frames[1].at("coherence_samples").get<int>(), 0);
   EXPECT_GT(frames[2].at("coherence_samples").get<int>(), 0);
 
-  EXPECT_EQ(run({"render", scene, "-o", "s%04d.png", "--frames", "1-2", "--frame-coherence", "--vsg", "rtl"}).status, 1);
+  EXPECT_EQ(run({"render", scene, "-o", "s%04d.png", "--frames", "1-2", "--frame-coherence", "--vsg", "rtl"}).status,
+            1);
   EXPECT_EQ(run({"render", scene, "-o", "one.png", "--frame-coherence"}).status, 1);
 }
 
