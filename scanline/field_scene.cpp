@@ -43,6 +43,9 @@ glm::dvec3 color(const ShaderCall& call, const std::string& name, double otherwi
   return c.size() == 3 ? glm::dvec3(c[0], c[1], c[2]) : glm::dvec3(otherwise);
 }
 
+/// The shading language keeps the word `color` for itself: it stands for the parameter `rgb` in scenes.
+const char* color_name(const ShaderCall& call) { return call.parameters.contains("rgb") ? "rgb" : "color"; }
+
 /// The way from a point to a light, and where it ends in lengths of that way: 1, or nowhere.
 struct Way {
   glm::dvec3 direction{0};
@@ -69,7 +72,7 @@ std::optional<Way> way_to(const Light& light, const glm::dvec3& point) {
 
 glm::dvec3 full_light(const Light& light) {
   if (!light.shader) return light.color * light.intensity;
-  return color(*light.shader, "rgb", 1) * color(*light.shader, "intensity", 1);
+  return color(*light.shader, color_name(*light.shader), 1) * color(*light.shader, "intensity", 1);
 }
 
 }  // namespace
@@ -185,7 +188,7 @@ glm::dvec3 FieldScene::reflection(const glm::dvec3& point, const glm::dvec3& nor
     light += seen * facing * full_light(l);
   }
   const ShaderCall& shader = scene_.objects[hit->object].shader;
-  return color(shader, shader.parameters.contains("rgb") ? "rgb" : "color", kDefaultColor) * light;
+  return color(shader, color_name(shader), kDefaultColor) * light;
 }
 
 }  // namespace scanline

@@ -242,10 +242,13 @@ TEST_F(field_march_reflection, takes_colours_from_parameters) {
   EXPECT_EQ(color("color", 0.5), glm::dvec3(0.5));
   EXPECT_EQ(color("tint", 0.5), glm::dvec3(0.8));
   EXPECT_EQ(color("color", std::string("red")), glm::dvec3(0.8));
-  scene.lights = {shader_light({{"direction", Numbers{0, 1, 0}}, {"rgb", Numbers{1, 0.5, 0}}, {"intensity", 2.0}})};
-  EXPECT_LT(
-      glm::distance(FieldScene(scene, 1).reflection({0, 0, 0}, {0, 1, 0}, {0, -1, 0}, cost), glm::dvec3(1.6, 0.8, 0)),
-      1e-6);
+  for (const char* name : {"rgb", "color"}) {
+    scene.lights = {shader_light({{"direction", Numbers{0, 1, 0}}, {name, Numbers{1, 0.5, 0}}, {"intensity", 2.0}})};
+    EXPECT_LT(
+        glm::distance(FieldScene(scene, 1).reflection({0, 0, 0}, {0, 1, 0}, {0, -1, 0}, cost), glm::dvec3(1.6, 0.8, 0)),
+        1e-6)
+        << name;
+  }
 }
 
 TEST_F(field_march_reflection, of_a_surface_seen_from_behind_is_what_lies_straight_on) {
