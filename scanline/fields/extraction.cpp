@@ -291,12 +291,18 @@ class Extraction {
     return p;
   }
 
-  /// True when a triangle of the quad, cut from corner `from`, faces away from the surface at the quad's edge.
-  bool turns_over(const Quad& quad, int from) const {
+  /// The triangles on both sides of the diagonal from corner `from`.
+  std::array<std::array<glm::dvec3, 3>, 2> halves(const Quad& quad, int from) const {
     const auto p = corners(quad);
-    for (const int k : {1, 2}) {
-      const glm::dvec3 area = glm::cross(p[from + k] - p[from], p[(from + k + 1) % 4] - p[from]);
-      if (!(glm::dot(area, quad.normal) > kFacing * glm::length(area))) return true;
+    return {{{p[from], p[from + 1], p[from + 2]}, {p[from], p[from + 2], p[(from + 3) % 4]}}};
+  }
+
+  /// True when a triangle of the quad, cut from corner `from`, faces away from the surface at the quad's edge, or has
+  /// no area.
+  bool turns_over(const Quad& quad, int from) const {
+    for (const auto& p : halves(quad, from)) {
+      const glm::dvec3 area = newell_vector(p);
+      if (!has_area(p) || !(glm::dot(area, quad.normal) > kFacing * glm::length(area))) return true;
     }
     return false;
   }
@@ -307,10 +313,8 @@ class Extraction {
     const bool has_moved =
         std::any_of(quad.vertices.begin(), quad.vertices.end(), [&](std::uint32_t v) { return moved_.contains(v); });
     if (has_moved) return turns_over(quad, from);
-    const auto p = corners(quad);
-    for (const int k : {1, 2}) {
-      const glm::dvec3 area = glm::cross(p[from + k] - p[from], p[(from + k + 1) % 4] - p[from]);
-      if (!(area[quad.axis] * quad.direction > 0)) return true;
+    for (const auto& p : halves(quad, from)) {
+      if (!has_area(p) || !(newell_vector(p)[quad.axis] * quad.direction > 0)) return true;
     }
     return false;
   }
@@ -318,7 +322,7 @@ class Extraction {
   void add_quad(const Quad& quad) {
     const auto& v = quad.vertices;
     const auto p = corners(quad);
-    if (unevenness(p) <= kPlanarTolerance && !crosses_itself(p)) return add_polygon(v);
+    if (has_area(p) && unevenness(p) <= kPlanarTolerance && !crosses_itself(p)) return add_polygon(v);
     const auto error = [&](int k) { return std::abs(field_.distance((p[k] + p[k + 2]) / 2.0)); };
     const int from = folds(quad, 0) ? 1 : folds(quad, 1) ? 0 : error(1) < error(0) ? 1 : 0;
     add_polygon(std::array{v[from], v[from + 1], v[from + 2]});

@@ -46,6 +46,13 @@ std::optional<Bounds> read_bounds(TomlTable& t) {
   return std::nullopt;
 }
 
+/// A box without size is nothing's: that the field has no surface is found out later.
+bool is_measurable(const Bounds& box) {
+  const glm::dvec3 size = box.high - box.low, farthest = glm::max(glm::abs(box.low), glm::abs(box.high));
+  const double longest = std::max({size.x, size.y, size.z});
+  return (longest >= 1e-9 || longest == 0) && std::max({farthest.x, farthest.y, farthest.z}) <= 1e12;
+}
+
 class FieldReader {
  public:
   FieldReader(TomlMistakes& mistakes, const std::filesystem::path& folder) : mistakes_(mistakes), folder_(folder) {}
@@ -224,7 +231,11 @@ class FieldReader {
     const std::optional<Bounds> bounds = read_bounds(t);
     if (mistakes_.list.size() != before) return part;
     if (bounds) part = fields::intersect({part, fields::box(*bounds)});
-    if (is_finite(part->bounds())) return fields::grid_field(*part, cells);
+    if (is_finite(part->bounds())) {
+      if (is_measurable(part->bounds())) return fields::grid_field(*part, cells);
+      mistakes_.add(t.where("of"), "what a grid is made of is larger than 1e12, or smaller than 1e-9");
+      return part;
+    }
     mistakes_.add(t.where("of"), "what a grid is made of is infinite: the grid needs the key 'bounds'");
     return part;
   }
@@ -233,11 +244,6 @@ class FieldReader {
   const std::filesystem::path& folder_;
   int nodes_ = 0;
 };
-
-bool is_measurable(const Bounds& box) {
-  const glm::dvec3 size = box.high - box.low, farthest = glm::max(glm::abs(box.low), glm::abs(box.high));
-  return std::max({size.x, size.y, size.z}) >= 1e-9 && std::max({farthest.x, farthest.y, farthest.z}) <= 1e12;
-}
 
 Mesh polygons(TomlTable& object, const Field& field, int cells) {
   Mesh mesh;

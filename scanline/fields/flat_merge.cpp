@@ -17,6 +17,9 @@ constexpr std::uint32_t kNone = ~std::uint32_t{0};
 /// Neighbours may turn by no more than this (a cosine), however small they are.
 constexpr double kSameWay = 0.999;
 
+/// Polygons of more sides than these do not lose their area with a vertex.
+constexpr std::uint32_t kFew = 8;
+
 std::uint64_t directed(Vertex from, Vertex to) { return std::uint64_t{from} << 32 | to; }
 
 /// A corner of a polygon that is being made: `source` is the mesh's corner whose attributes it keeps.
@@ -88,6 +91,7 @@ class FlatMerge {
 
   void run() {
     gather_patches();
+    absorb_slivers();
     straighten();
     rebuild();
   }
@@ -110,8 +114,9 @@ class FlatMerge {
         owners[directed(polygons[p][k], polygons[p][(k + 1) % polygons[p].size()])] = p;
         corners.push_back(mesh_.positions[polygons[p][k]]);
       }
+      // Without area there is no normal: such a polygon joins no other.
       const glm::dvec3 normal = newell_vector(corners);
-      normals.push_back(normal / std::max(glm::length(normal), 1e-300));
+      normals.push_back(has_area(corners) ? normal / glm::length(normal) : glm::dvec3(0));
     }
     std::vector<bool> is_taken(polygons.size(), false);
     for (std::uint32_t seed = 0; seed < polygons.size(); ++seed) {
@@ -153,6 +158,53 @@ class FlatMerge {
     }
   }
 
+  /// Three vertices on one line, as they come about along an edge of the solid, are no polygon: the middle one becomes
+  /// a vertex of the neighbour along the longest side.
+  void absorb_slivers() {
+    std::vector<std::size_t> slivers;
+    for (std::size_t k = 0; k < loops_.size(); ++k) {
+      if (loops_[k].size() == 3 && !has_area(points(loops_[k]))) slivers.push_back(k);
+    }
+    if (slivers.empty()) return;
+    std::unordered_map<std::uint64_t, std::size_t> owners;
+    for (std::size_t k = 0; k < loops_.size(); ++k) {
+      for (std::size_t c = 0; c < loops_[k].size(); ++c) {
+        owners[directed(loops_[k][c].vertex, loops_[k][(c + 1) % loops_[k].size()].vertex)] = k;
+      }
+    }
+    for (const std::size_t k : slivers) {
+      if (loops_[k].size() != 3) continue;  // became a neighbour's neighbour
+      const auto p = points(loops_[k]);
+      std::size_t longest = 0;
+      const auto length = [&](std::size_t c) { return glm::length(p[(c + 1) % 3] - p[c]); };
+      for (std::size_t c = 1; c < 3; ++c) {
+        if (length(c) > length(longest)) longest = c;
+      }
+      const Vertex from = loops_[k][longest].vertex, to = loops_[k][(longest + 1) % 3].vertex;
+      const Vertex middle = loops_[k][(longest + 2) % 3].vertex;
+      const std::size_t neighbour = owners.at(directed(to, from));
+      Loop& loop = loops_[neighbour];
+      const auto place = [&](Vertex v) {
+        return std::find_if(loop.begin(), loop.end(), [&](const LoopCorner& c) { return c.vertex == v; });
+      };
+      if (place(middle) == loop.end()) {
+        const std::uint32_t source = place(to)->source;
+        loop.insert(place(to) + 1, {middle, source});
+        owners[directed(to, middle)] = owners[directed(middle, from)] = neighbour;
+      } else if (loop.size() > 3 && owners.at(directed(from, middle)) == neighbour) {
+        loop.erase(place(from));  // a spike of the neighbour, which runs along the line and back
+        owners[directed(to, middle)] = neighbour;
+      } else if (loop.size() > 3 && owners.at(directed(middle, to)) == neighbour) {
+        loop.erase(place(to));
+        owners[directed(middle, from)] = neighbour;
+      } else {
+        continue;
+      }
+      loops_[k].clear();
+    }
+    std::erase_if(loops_, [](const Loop& loop) { return loop.empty(); });
+  }
+
   /// A vertex of two polygons alone, on a line between its neighbours, leaves both.
   void straighten() {
     // Corners as rings, so that a vertex leaves without a search.
@@ -186,6 +238,14 @@ class FlatMerge {
       if (sides[ring[a].polygon] <= 3 || sides[ring[b].polygon] <= 3) continue;
       if (edges.contains(directed(before, after)) || edges.contains(directed(after, before))) continue;
       if (!is_between(mesh_.positions[v], mesh_.positions[before], mesh_.positions[after])) continue;
+      // A polygon no wider than the tolerance would be left without area.
+      const auto keeps_area = [&](std::uint32_t c) {
+        if (sides[ring[c].polygon] > kFew) return true;
+        std::vector<glm::dvec3> rest;
+        for (std::uint32_t k = ring[c].next; k != c; k = ring[k].next) rest.push_back(mesh_.positions[vertex_of[k]]);
+        return has_area(rest);
+      };
+      if (!keeps_area(a) || !keeps_area(b)) continue;
       for (const std::uint32_t c : {a, b}) {
         ring[ring[c].previous].next = ring[c].next;
         ring[ring[c].next].previous = ring[c].previous;

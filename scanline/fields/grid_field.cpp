@@ -14,7 +14,8 @@ class GridField final : public Field {
   GridField(const Field& field, int cells) {
     const Bounds box = field.bounds();
     const glm::dvec3 size = box.high - box.low;
-    step_ = std::max({size.x, size.y, size.z}) / cells;
+    const double longest = std::max({size.x, size.y, size.z});
+    step_ = (longest > 0 ? longest : 1) / cells;
     // One cube more on each side: the outermost samples are outside.
     for (int k = 0; k < 3; ++k) count_[k] = static_cast<int>(std::ceil(size[k] / step_ - 1e-9)) + 3;
     origin_ = (box.low + box.high) / 2.0 - step_ * glm::dvec3(count_ - 1) / 2.0;

@@ -39,10 +39,10 @@ class Union final : public Field {
   std::pair<double, std::size_t> nearest(const glm::dvec3& p) const {
     std::pair<double, std::size_t> best{kInfinite, 0};
     for (std::size_t k = 0; k < parts_.size(); ++k) {
-      // A part whose box is no nearer than what is found need not be asked.
+      // A part whose box is no nearer than what is found need not be asked; inside the box any distance is possible.
       const glm::dvec3 outside = from_box(parts_[k].box, p);
       const double least = glm::length(outside);
-      if (least >= best.first) continue;
+      if (least > 0 && least >= best.first) continue;
       double distance = parts_[k].field->distance(p);
       if (outside != glm::dvec3(0)) distance = std::max(distance, least);
       if (distance < best.first) best = {distance, k};
@@ -210,7 +210,7 @@ class Repetition final : public Field {
                                   rows[2].first + z * spacing_.z);
           const glm::dvec3 local = p - offset, outside = from_box(part_.box, local);
           const double least = glm::length(outside);
-          if (least >= best.distance) continue;
+          if (least > 0 && least >= best.distance) continue;
           double distance = part_.field->distance(local);
           if (outside != glm::dvec3(0)) distance = std::max(distance, least);
           if (distance < best.distance) best = {distance, local};
