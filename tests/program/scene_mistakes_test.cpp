@@ -66,6 +66,8 @@ TEST_F(SceneMistakes, ShadersAndTheirParameters) {
                  {"scene.toml:7: error: parameter 'rgb' of 'flat' is no whole number: a text names an image"});
   expect_refused(kBox + std::string("shader = {name = \"flat\", file = \"absent.pfman\"}"),
                  {"scene.toml:7: error: cannot read 'absent.pfman'"});
+  const std::string endless(5000, 'a');  // no file may be called so
+  expect_refused(kBox + ("shader = {name = \"" + endless + "\"}"), {"scene.toml:7: error: there is no shader 'aaa"});
   expect_refused(kBox + std::string("shader = {name = \"point_light\"}"), {"scene.toml:7: error: ", "no surface"});
   expect_refused(kBox + std::string("[[light]]\nshader = {name = \"flat\"}"), {"scene.toml:8: error: ", "no light"});
   expect_refused(kBox + std::string("[[light]]\nshader = {name = \"spot_light\", parameters = {conus = 3}}"),
