@@ -27,23 +27,22 @@ std::vector<Machine> all_machines() {
   add("model", "macro", "5");
   add("model", "model", "2");
 #ifdef VSG_HAVE_RTL
-  add("model", "rtl", "5");
+  add("model", "rtl", "1");
   add("rtl", "macro", "2");
   add("rtl", "model", "1");
-  add("rtl", "rtl", "1");
-  add("rtl", "rtl", "2", true);
   add("rtl", "rtl", "5");
+  add("rtl", "rtl", "2", true);
 #endif
   return machines;
 }
 
-Machine lowest_machine() {
 #ifdef VSG_HAVE_RTL
-  return {"--vsg", "rtl", "--pe", "rtl"};
+Machine lowest_machine() { return {"--vsg", "rtl", "--pe", "rtl"}; }
+Machine lowest_pixels() { return {"--vsg", "model", "--pe", "rtl"}; }
 #else
-  return {"--vsg", "model", "--pe", "model"};
+Machine lowest_machine() { return {"--vsg", "model", "--pe", "model"}; }
+Machine lowest_pixels() { return lowest_machine(); }
 #endif
-}
 
 std::string text(const Machine& machine) {
   std::string all;
