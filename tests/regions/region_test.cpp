@@ -236,6 +236,58 @@ TEST(Regions, KeepStreamsFromFrameToFrame) {
   EXPECT_EQ(made[2], made[1] + 1) << "red no longer serves the second red's pixels";
 }
 
+/// The pixels of one surface.
+RegionPixels only(const RegionPixels& pixels, int id) {
+  RegionPixels result;
+  result.packets = pixels.packets;
+  const std::size_t stride = pixels.payload.size() / pixels.depth.size();
+  for (std::size_t n = 0; n < pixels.depth.size(); ++n) {
+    const auto payload = pixels.payload.begin() + static_cast<std::ptrdiff_t>(n * stride);
+    if ((payload[0] | payload[1] << 8) != id) continue;
+    result.columns.push_back(pixels.columns[n]);
+    result.rows.push_back(pixels.rows[n]);
+    result.depth.push_back(pixels.depth[n]);
+    result.payload.insert(result.payload.end(), payload, payload + static_cast<std::ptrdiff_t>(stride));
+  }
+  return result;
+}
+
+/// Surfaces that share their lighting do so with those that are there, other ones in other regions; and keep what they
+/// need for later apart from it.
+TEST(Regions, GiveEachPixelWhatItWouldHaveAlone) {
+  const std::uint64_t seed = seed_or(88);
+  std::mt19937_64 random(seed);
+  pfman::StreamCache cache;
+  RegionNode node(make_golden_array(Level::Macro, 1024));
+  for (const double shine : {8.0, 9.0, 8.0}) {  // the two red ones are one and the same, or not
+    std::vector<pfman::Instance> all = surfaces();
+    std::swap(all[3], all[5]);
+    all[4].set("shine", {shine});
+    pfman::FrameShading frame(std::move(all), lamps(), nullptr, unit_view(), cache);
+    for (const std::vector<int>& ids : std::vector<std::vector<int>>{
+             {kRed, kSpots}, {kSecondRed, kSpots}, {kRed, kSecondRed}, {kSpots, kPlain, kSecondRed, kRed}}) {
+      const RegionPixels pixels = random_pixels(random, ids, 10);
+      const RegionNode::Result together = node.work(frame, 0, 0, {&pixels, 1});
+      EXPECT_EQ(together.counts.shared > 0, ids[0] == kSpots || ids[1] == kSpots || shine == 9);
+      std::map<Place, std::array<std::uint8_t, 3>> alone;
+      for (const int id : ids) {
+        const RegionPixels its = only(pixels, id);
+        const RegionNode::Result result = node.work(frame, 0, 0, {&its, 1});
+        EXPECT_EQ(result.counts.shared, 0);
+        for (std::size_t n = 0; n < result.colors.size(); ++n) {
+          alone[{result.rows[n], result.columns[n]}] = result.colors[n];
+        }
+      }
+      ASSERT_EQ(alone.size(), together.colors.size());
+      for (std::size_t n = 0; n < together.colors.size(); ++n) {
+        const Place place{together.rows[n], together.columns[n]};
+        ASSERT_EQ(together.colors[n], alone.at(place))
+            << replay(seed) << ", row " << place.first << ", column " << place.second;
+      }
+    }
+  }
+}
+
 TEST(Regions, RefuseWhatIsNoRegion) {
   Scene scene(make_golden_array(Level::Macro, 256));
   const RegionPixels good{{1, 2}, {0, 0}, {5, 6}, 1, std::vector<std::uint8_t>(2 * pfman::kPacketPayload)};
