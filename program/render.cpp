@@ -98,20 +98,30 @@ void check_places(const Options& options, const Moments& moments) {
   if (!trace.empty()) OutputFile{trace};
 }
 
-/// Writes the picture of one moment.
+/// Writes the picture of one moment to a file that is not committed yet.
 nlohmann::ordered_json write_frame(const Options& options, const watkins::RenderedFrame& frame,
-                                   const std::vector<std::string>& shaders, int moment, OutputFile& image) {
+                                   const std::vector<std::string>& shaders, int moment, const OutputFile& image) {
   const auto begin = std::chrono::steady_clock::now();
   write_image(image.partial(), frame.picture, shaders);
-  image.commit();
   const std::chrono::duration<double> writing = std::chrono::steady_clock::now() - begin;
   return options.stats.empty() ? nlohmann::ordered_json()
                                : frame_statistics(moment, frame, options.shading_nodes, writing.count());
 }
 
+/// The statistics of all frames.
+void write_statistics(const Options& options, const scanline::Scene& scene,
+                      const std::vector<nlohmann::ordered_json>& frames, OutputFile& file) {
+  nlohmann::ordered_json all;
+  all["scene"] = options.scene.file;
+  all["size"] = {scene.width, scene.height};
+  all["samples"] = options.render.samples;
+  all["frames"] = frames;
+  file.write(all.dump(1) + "\n");
+  file.commit();
+}
+
 /// Makes and writes the pictures, one after another; visible segments of several moments at once.
-std::vector<nlohmann::ordered_json> render_frames(Options& options, const scanline::Scene& scene,
-                                                  const Moments& moments) {
+void render_frames(Options& options, const scanline::Scene& scene, const Moments& moments, OutputFile* stats) {
   const std::vector<std::string> shaders = scanline::shader_names(scene);
   std::optional<OutputFile> trace;
   if (!options.render.generator.trace.empty()) {
@@ -147,10 +157,12 @@ std::vector<nlohmann::ordered_json> render_frames(Options& options, const scanli
       const watkins::RenderedFrame frame = renderer.shade(std::move(*visible[static_cast<std::size_t>(i)]));
       warnings.print(frame.warnings);
       statistics.push_back(write_frame(options, frame, shaders, moment, image));
+      // Before the last picture: where statistics cannot be written, it is not there either.
+      if (stats && first + i + 1 == moments.count) write_statistics(options, scene, statistics, *stats);
+      image.commit();
     }
   }
   if (trace) trace->commit();
-  return statistics;
 }
 
 void run_render(Options options) {
@@ -165,16 +177,7 @@ void run_render(Options options) {
   const scanline::Scene scene = read_scene(options.scene);
   const std::int64_t samples = options.render.samples;
   check_picture_size(scene.width * samples, scene.height * samples);
-  const auto statistics = render_frames(options, scene, sequence.value_or(Moments{scene.first_frame, 1}));
-  if (stats) {
-    nlohmann::ordered_json all;
-    all["scene"] = options.scene.file;
-    all["size"] = {scene.width, scene.height};
-    all["samples"] = samples;
-    all["frames"] = statistics;
-    stats->write(all.dump(1) + "\n");
-    stats->commit();
-  }
+  render_frames(options, scene, sequence.value_or(Moments{scene.first_frame, 1}), stats ? &*stats : nullptr);
 }
 
 }  // namespace

@@ -100,6 +100,7 @@ struct Renderer::Work {
     int largest_map = 0;
     double surfaces = 0, shaded = 0;  ///< seconds
   };
+  vsg::FrameBlocks make_blocks(const scanline::SceneFrame& frame, const vsg::Parameters& parameters) const;
   std::unique_ptr<pfman::FrameShading> frame_shading(double moment, const pfman::EyeSpace& eye);
   Region work_region(const RegionBuilder& builder, const VisibleFrame& visible, pfman::FrameShading& frame, int column,
                      int row, std::vector<Rgb8>& samples, scanline::PictureChannels* channels);
@@ -180,7 +181,7 @@ VisibleFrame Renderer::find_visible(double moment, scanline::EdgeHistory* histor
     parameters.frame_coherence = history != nullptr;
     const auto generator = make_generator(options.generator, parameters);
     if (on_step) generator->on_line = [this](int) { on_step(); };
-    vsg::FrameBlocks blocks = scanline::make_blocks(frame.frame, generator->parameters(), false);
+    vsg::FrameBlocks blocks = work_->make_blocks(frame, generator->parameters());
     if (history != nullptr) history->mark(frame, blocks);
     visible.answers[static_cast<std::size_t>(n)] =
         generate(*generator, blocks, work_->scene_file, visible.recorder ? visible.recorder->sink() : vsg::EventSink());
@@ -223,6 +224,20 @@ void Renderer::Work::note_channels(const SurfacePoint& point, std::uint32_t poly
   c.normal_x[pixel] = static_cast<float>(point.normal.x);
   c.normal_y[pixel] = static_cast<float>(point.normal.y);
   c.normal_z[pixel] = static_cast<float>(point.normal.z);
+}
+
+/// What does not fit into the machine's memories is the scene's mistake.
+vsg::FrameBlocks Renderer::Work::make_blocks(const scanline::SceneFrame& frame,
+                                             const vsg::Parameters& parameters) const {
+  try {
+    return scanline::make_blocks(frame.frame, parameters, false);
+  } catch (const scanline::UserError& error) {
+    std::vector<scanline::Diagnostic> mistakes = error.diagnostics();
+    for (scanline::Diagnostic& mistake : mistakes) {
+      if (mistake.file.empty()) mistake.file = scene_file;
+    }
+    throw scanline::UserError(std::move(mistakes));
+  }
 }
 
 std::unique_ptr<pfman::FrameShading> Renderer::Work::frame_shading(double moment, const pfman::EyeSpace& eye) {

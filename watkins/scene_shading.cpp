@@ -1,6 +1,7 @@
 #include "watkins/scene_shading.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -152,18 +153,26 @@ void SceneShading::bind(pfman::Instance& instance, const ShaderCall& call) {
   for (const auto& [given, value] : call.parameters) {
     // The language keeps the word `color` for itself.
     const std::string name = given == "color" ? "rgb" : given;
+    if (name != given && call.parameters.contains(name)) {
+      wrong(call.line, "'color' and 'rgb' are one parameter of '" + call.name + "'");
+      continue;
+    }
+    const pfman::Variable* const p = parameter(instance.shader(), name);
+    const bool whole = p && p->type.scalar == pfman::Scalar::integer();
     std::vector<double> numbers;
     if (const double* number = std::get_if<double>(&value)) numbers = {*number};
     if (const bool* flag = std::get_if<bool>(&value)) numbers = {*flag ? 1.0 : 0.0};
     if (const auto* list = std::get_if<std::vector<double>>(&value)) numbers = *list;
     if (const auto* text = std::get_if<std::string>(&value)) {
-      const pfman::Variable* p = parameter(instance.shader(), name);
-      const bool is_image = p && !p->type.varying && !p->type.is_array() && p->type.scalar == pfman::Scalar::integer();
-      if (p && !is_image) {
+      if (p && (!whole || p->type.varying || p->type.is_array())) {
         wrong(call.line, "parameter '" + name + "' of '" + call.name + "' is no whole number: a text names an image");
         continue;
       }
       numbers = {static_cast<double>(p ? texture(*text, call.line) : 0)};
+    }
+    if (whole && std::any_of(numbers.begin(), numbers.end(), [](double n) { return n != std::floor(n); })) {
+      wrong(call.line, "parameter '" + name + "' of '" + call.name + "' must be a whole number");
+      continue;
     }
     try {
       instance.set(name, numbers);

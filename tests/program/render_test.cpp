@@ -231,6 +231,17 @@ TEST_F(Render, FrameCoherenceSamplesAtEdgesOfTheFrameBefore) {
   EXPECT_EQ(run({"render", scene, "-o", "one.png", "--frame-coherence"}).status, 1);
 }
 
+TEST_F(Render, APictureIsNotLeftWithoutItsStatistics) {
+  write("scene.toml", flat_scene(8, 8, kRectangle));
+  write("r.off", rectangle_off(-0.5, -0.25, 0.75, 0.5));
+  const auto before = files();
+  const Outcome result =
+      run({"render", "scene.toml", "-o", "a.png", "--vsg", "model", "--pe", "macro", "--stats", "/dev/full"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.err.find("/dev/full: error: cannot write"), std::string::npos) << result.err;
+  EXPECT_EQ(files(), before);
+}
+
 TEST_F(Render, StatisticsAddUp) {
   write("scene.toml", flat_scene(32, 24, kSphere));
   render({"scene.toml", "-o", "a.png", "--stats", "s.json"});

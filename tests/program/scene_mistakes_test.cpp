@@ -52,6 +52,19 @@ TEST_F(SceneMistakes, ShadersThatDoNotFitTheMachine) {
                  {"index.pfman:4:", "error: index 3 is outside of the array's 0 to 2"});
 }
 
+TEST_F(SceneMistakes, ValuesThatAParameterCannotHave) {
+  expect_refused(kBox + std::string("shader = {name = \"textured\", parameters = {image = 1.5}}"),
+                 {"scene.toml:7: error: parameter 'image' of 'textured' must be a whole number"});
+  expect_refused(kBox + std::string("shader = {name = \"flat\", parameters = {rgb = [1, 0, 0], color = [0, 1, 0]}}"),
+                 {"scene.toml:7: error: 'color' and 'rgb' are one parameter of 'flat'"});
+}
+
+TEST_F(SceneMistakes, MorePolygonsThanTheMachineHolds) {
+  expect_refused("[camera]\nposition = [0, 5, 0.1]\n[[object]]\ngeometry = \"shape\"\nshape = \"plane\"\n"
+                 "divisions = [400, 400]",
+                 {"scene.toml: error: the frame has 160000 polygons"});
+}
+
 TEST_F(SceneMistakes, ShadersAndTheirParameters) {
   write("text.png", "no picture");
   expect_refused(kBox + std::string("shader = {name = \"flat\", parameters = {shine = 2}}"),
