@@ -103,7 +103,12 @@ class SmoothUnion final : public Field {
   double distance(const glm::dvec3& point) const override {
     const glm::dvec3 p = reachable(point);
     double sum = parts_[0].distance(p);
-    for (std::size_t k = 1; k < parts_.size(); ++k) sum = blended(sum, parts_[k].distance(p)).distance;
+    for (std::size_t k = 1; k < parts_.size(); ++k) {
+      // A part whose box is out of the blend's reach has no share.
+      const double least = glm::length(from_box(parts_[k].box, p));
+      if (least > 0 && least - sum >= radius_) continue;
+      sum = blended(sum, parts_[k].distance(p)).distance;
+    }
     return sum;
   }
 
