@@ -63,6 +63,7 @@ ordered_json region_statistics(const watkins::FrameCounts& counts) {
            {{"largest_transfer_map", counts.largest_map},
             {"packets", sum.packets},
             {"sent", sum.packets * pixelflow::kPacketBytes},
+            {"payload", sum.packets * pfman::kPacketPayload},
             {"budget", kBudget}}}};
 }
 

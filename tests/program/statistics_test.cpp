@@ -63,6 +63,7 @@ TEST_F(Statistics, OfTheRealMachinesFollowFromTheCounts) {
   EXPECT_EQ(regions.at("surfaces_executed"), 3);
   const json& bytes = regions.at("bytes_a_pixel");
   EXPECT_EQ(bytes.at("sent").get<int>(), bytes.at("packets").get<int>() * kPacket);
+  EXPECT_EQ(bytes.at("payload").get<int>(), bytes.at("packets").get<int>() * (kPacket - 4)) << "four bytes of depth";
   EXPECT_EQ(bytes.at("packets"), 1);
   EXPECT_EQ(bytes.at("largest_transfer_map"), 2 + 6);  // ID and normal of the shader `flat`
   EXPECT_EQ(bytes.at("budget"), 142);
