@@ -23,7 +23,6 @@
 namespace program {
 namespace {
 
-constexpr int kMostSamples = 64, kMostThreads = 256, kMostShadingNodes = 1024;
 const std::string kFrameNumber = "%04d";
 
 struct Options {
@@ -201,7 +200,7 @@ void add_render(CLI::App& app, const std::string& command_line) {
       ->type_name("IMAGE")
       ->group("Picture");
   command->add_option("--samples", options->render.samples, "N x N samples a pixel, averaged")
-      ->check(CLI::Range(1, kMostSamples).description(""))
+      ->check(CLI::Range(1, watkins::kMostSamples).description(""))
       ->capture_default_str()
       ->type_name("N")
       ->group("Picture");
@@ -234,7 +233,7 @@ void add_render(CLI::App& app, const std::string& command_line) {
   command
       ->add_option("--shading-nodes", options->shading_nodes,
                    "Nodes that share the regions; the picture does not depend on it")
-      ->check(CLI::Range(1, kMostShadingNodes).description(""))
+      ->check(CLI::Range(1, watkins::kMostShadingNodes).description(""))
       ->capture_default_str()
       ->type_name("N")
       ->group("Machine");
@@ -245,7 +244,7 @@ void add_render(CLI::App& app, const std::string& command_line) {
   command
       ->add_option("--threads", options->render.threads,
                    "Threads for frames and shading; the picture does not depend on it")
-      ->check(CLI::Range(1, kMostThreads).description(""))
+      ->check(CLI::Range(1, watkins::kMostThreads).description(""))
       ->capture_default_str()
       ->type_name("N")
       ->group("Machine");

@@ -39,7 +39,8 @@ struct RenderOptions {
   bool channels = false;
 };
 
-constexpr int kMostRenderingNodes = 64;
+// What the command line and the interface allow.
+constexpr int kMostSamples = 64, kMostThreads = 256, kMostRenderingNodes = 64, kMostShadingNodes = 1024;
 
 /// Seconds; of `surfaces` (what pixels show and send) and `shading` the sums over all threads.
 struct StageTimes {

@@ -111,7 +111,7 @@ const std::vector<Mistake>& mistakes() {
       {"no_height", "height must be greater than 0", [](Context& c) { c.orthographic(0, 1, 10); }},
       {"size_zero", "width is from 1", [](Context& c) { c.size(0, 10); }},
       {"size_huge", "height is from 1", [](Context& c) { c.size(10, 1 << 20); }},
-      {"no_samples", "samples is from 1 to 16, not 0",
+      {"no_samples", "samples is from 1 to 64, not 0",
        [](Context& c) {
          watkins::Machine machine = c.machine();
          machine.samples = 0;

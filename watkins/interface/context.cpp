@@ -12,7 +12,7 @@
 namespace watkins {
 namespace {
 
-constexpr int kMostThreads = 256, kMostSamples = 16, kMostShadingNodes = 64, kMostTextures = 65535;
+constexpr int kMostTextures = 65535;
 constexpr std::size_t kMostShaders = 65535;  // two bytes of shader ID
 constexpr std::size_t kMostLights = 4096;
 
