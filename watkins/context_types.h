@@ -53,10 +53,10 @@ struct Function {
 struct Machine {
   Level generator = Level::Rtl;  ///< of the Visible Segment Generator: Model or Rtl
   Level pixels = Level::Rtl;     ///< of the pixel processors
-  int samples = 1;               ///< samples x samples of them make a pixel; 1 to 16
+  int samples = 1;               ///< samples x samples of them make a pixel; 1 to 64
   int threads = 1;               ///< 1 to 256
   int rendering_nodes = 1;       ///< each has a share of the polygons; 1 to 64
-  int shading_nodes = 4;         ///< 1 to 64; for the counts
+  int shading_nodes = 4;         ///< 1 to 1024; for the counts
 };
 
 /// What a picture cost the machines.
